@@ -1,0 +1,37 @@
+# stroma::trilinos is the one target through which Stroma sees Trilinos. It hides what differs between
+# Trilinos 13 (lists in variables, one config file per package) and 14 to 16 (imported targets).
+
+set(STROMA_TRILINOS_PACKAGES
+    Teuchos Kokkos Tpetra Belos Ifpack2 Amesos2 MueLu Thyra ThyraTpetraAdapters NOX)
+find_package(MPI REQUIRED COMPONENTS CXX)
+find_package(Trilinos REQUIRED COMPONENTS ${STROMA_TRILINOS_PACKAGES})
+message(STATUS "Trilinos ${Trilinos_VERSION} in ${Trilinos_DIR}")
+
+add_library(stroma_trilinos INTERFACE)
+add_library(stroma::trilinos ALIAS stroma_trilinos)
+if(TARGET Trilinos::all_selected_libs)
+  target_link_libraries(stroma_trilinos INTERFACE Trilinos::all_selected_libs)
+elseif(TARGET Trilinos::all_libs)
+  target_link_libraries(stroma_trilinos INTERFACE Trilinos::all_libs)
+else()
+  target_include_directories(
+    stroma_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})
+  target_link_directories(stroma_trilinos INTERFACE ${Trilinos_LIBRARY_DIRS})
+  target_link_libraries(stroma_trilinos INTERFACE ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES})
+endif()
+target_link_libraries(stroma_trilinos INTERFACE MPI::MPI_CXX)
+
+# The compiler needs OpenMP's flag where Kokkos was built with it.
+find_file(STROMA_KOKKOS_CONFIG KokkosCore_config.h PATHS ${Trilinos_INCLUDE_DIRS} NO_DEFAULT_PATH)
+if(STROMA_KOKKOS_CONFIG)
+  file(STRINGS ${STROMA_KOKKOS_CONFIG} kokkos_openmp REGEX "^#define KOKKOS_ENABLE_OPENMP$")
+  if(kokkos_openmp)
+    find_package(OpenMP REQUIRED COMPONENTS CXX)
+    target_link_libraries(stroma_trilinos INTERFACE OpenMP::OpenMP_CXX)
+  endif()
+endif()
+
+# Kokkos alone, for the packages whose headers must compile without Tpetra.
+add_library(stroma_kokkos INTERFACE)
+add_library(stroma::kokkos ALIAS stroma_kokkos)
+target_link_libraries(stroma_kokkos INTERFACE stroma_trilinos)

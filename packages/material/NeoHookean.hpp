@@ -1,0 +1,98 @@
+#pragma once
+
+/// \file
+/// The paper's neo-Hookean solid: energy, stress and tangent of one particle.
+
+#include "tensor/SmallDifference.hpp"
+#include "tensor/Tensor3.hpp"
+
+namespace stroma::material {
+
+using tensor::Tensor3;
+
+/// Fourth-order tensor c(i,j,k,l), stored in full; the kernels' inner loops want no index tables.
+struct Tensor4 {
+  double value[3][3][3][3];
+
+  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j, int k, int l) { return value[i][j][k][l]; }
+  KOKKOS_INLINE_FUNCTION double operator()(int i, int j, int k, int l) const {
+    return value[i][j][k][l];
+  }
+};
+
+/// Isotropic hyperelastic solid with stored energy per reference volume
+///
+///     W = mu/2 (tr Cbar - 3) + K/2 (ln J)^2,   Cbar = J^(-2/3) F^T F,  J = det F.
+///
+/// All functions take the displacement gradient H = F - I, H(i,j) = du_i/dX_j [-], instead of F, so that
+/// small strains keep full precision (docs/theory.md, "Digits of small strains"). Device code cannot
+/// throw: an inverted particle (J <= 0) gives results that are not finite.
+///
+/// Source: the paper's equation (12); Simo & Hughes (1998), section 9.3 (isochoric part of the tangent).
+/// Symbols and units: docs/notation.md.
+struct NeoHookean {
+  double shear_modulus;  ///< mu [Pa], > 0
+  double bulk_modulus;   ///< K [Pa], > 0
+
+  /// Stored energy W [Pa] = [aJ/um^3]. Of second order in H and accurate to rounding there:
+  ///
+  ///     tr Cbar - 3 = e tr(b - I) + H:H - 2 II - 2 III + 2 (j - ln J) + 3 (e - x),
+  ///
+  /// with j = J - 1, x = -2/3 ln J, e = exp(x) - 1, II and III the invariants of H.
+  KOKKOS_INLINE_FUNCTION double energy(const Tensor3& H) const {
+    const double j = tensor::det_minus_one(H);
+    const double log_j = log1p(j);
+    const double x = -2.0 / 3.0 * log_j;
+    const double isochoric = expm1(x) * tensor::trace(tensor::left_cauchy_green_minus_identity(H)) +
+                             tensor::contract(H, H) - 2.0 * tensor::second_invariant(H) -
+                             2.0 * tensor::det(H) + 2.0 * tensor::x_minus_log1p(j) +
+                             3.0 * tensor::expm1_minus_x(x);
+    return 0.5 * shear_modulus * isochoric + 0.5 * bulk_modulus * log_j * log_j;
+  }
+
+  /// Kirchhoff stress tau = J sigma, 3 x 3 symmetric [Pa]:
+  ///
+  ///     tau = mu J^(-2/3) dev(b) + K ln J I,   b = F F^T,  dev(b) = dev(b - I).
+  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H) const {
+    const double log_j = log1p(tensor::det_minus_one(H));
+    Tensor3 tau = (shear_modulus * exp(-2.0 / 3.0 * log_j)) *
+                  tensor::deviator(tensor::left_cauchy_green_minus_identity(H));
+    for (int i = 0; i < 3; ++i) tau(i, i) += bulk_modulus * log_j;
+    return tau;
+  }
+
+  /// Cauchy stress sigma = tau / J [Pa], tension positive.
+  KOKKOS_INLINE_FUNCTION Tensor3 cauchy_stress(const Tensor3& H) const {
+    return (1.0 / (1.0 + tensor::det_minus_one(H))) * kirchhoff_stress(H);
+  }
+
+  /// Stress tau [Pa] and spatial tangent a [Pa] of the Kirchhoff stress power:
+  ///
+  ///     a_ijkl = c_ijkl + delta_ik tau_jl,
+  ///     c = 2 m (I4 - 1/3 I x I) - 2/3 (s x I + I x s) + K I x I - 2 K ln J I4,
+  ///
+  /// with s = dev tau, m = mu/3 J^(-2/3) tr b, I4 the symmetric identity. Then
+  /// d(tau F^-T) = (a : D) F^-T for dF = D F: what a residual sum_p V0 tau grad N differentiates to.
+  KOKKOS_INLINE_FUNCTION void stress_and_tangent(const Tensor3& H, Tensor3& tau, Tensor4& a) const {
+    const double log_j = log1p(tensor::det_minus_one(H));
+    const double factor = shear_modulus * exp(-2.0 / 3.0 * log_j);
+    const Tensor3 b_minus_identity = tensor::left_cauchy_green_minus_identity(H);
+    const Tensor3 s = factor * tensor::deviator(b_minus_identity);
+    tau = s;
+    for (int i = 0; i < 3; ++i) tau(i, i) += bulk_modulus * log_j;
+
+    const double m = factor * (1.0 + tensor::trace(b_minus_identity) / 3.0);
+    const double volumetric = bulk_modulus - 2.0 / 3.0 * m;  // coefficient of I x I
+    const double symmetric = m - bulk_modulus * log_j;       // of (d_ik d_jl + d_il d_jk)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l) {
+            const double ij = i == j, kl = k == l, ik = i == k, jl = j == l, il = i == l, jk = j == k;
+            a(i, j, k, l) = volumetric * ij * kl + symmetric * (ik * jl + il * jk) -
+                            2.0 / 3.0 * (s(i, j) * kl + ij * s(k, l)) + ik * tau(j, l);
+          }
+  }
+};
+
+}  // namespace stroma::material
