@@ -1,0 +1,38 @@
+#pragma once
+
+/// \file
+/// What the deck's section "Image" says: where the specimen comes from and how it is segmented. The
+/// section itself is declared in ImageSection.cpp.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "image/Phantom.hpp"
+
+namespace stroma::image {
+
+/// How intensities become labels.
+struct SegmentationParameters {
+  enum class Method { threshold, otsu, labels };
+  Method method = Method::otsu;
+  std::optional<double>
+      threshold;           ///< label 1 where intensity > threshold (Method::threshold only)
+  double smoothing = 0.0;  ///< standard deviation of a Gaussian [um]; 0: none
+  int smallest_object = 0;  ///< voxels, 26-connected; smaller objects become label 0
+};
+
+/// The specimen: a file or a phantom, never both.
+struct ImageParameters {
+  std::optional<std::string> file;                  ///< relative to the deck's folder
+  std::optional<std::string> dataset;               ///< HDF5 only; absent: the only one of the file
+  int channel = 0;                                  ///< from 0
+  std::optional<std::array<double, 3>> voxel_size;  ///< x, y, z [um]; absent: the file's own
+  std::optional<std::array<std::int64_t, 6>>
+      region;  ///< first voxel x, y, z, then counts; absent: all
+  SegmentationParameters segmentation;
+  std::optional<PhantomParameters> phantom;
+};
+
+}  // namespace stroma::image

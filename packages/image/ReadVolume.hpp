@@ -1,0 +1,43 @@
+#pragma once
+
+/// \file
+/// From an image file or a phantom to a volume of intensities, and on to labels.
+
+#include <string>
+
+#include "base/Communicator.hpp"
+#include "image/ImageParameters.hpp"
+#include "image/ImageSummary.hpp"
+#include "image/Volume.hpp"
+
+namespace stroma::image {
+
+/// Reads the region of an image file that the parameters name, each rank its slab of planes.
+/// Collective.
+///
+/// TIFF (single, multi-page, ImageJ stacks and hyperstacks, OME-TIFF), Bio-Rad PIC, HDF5 and raw
+/// MetaImage: each rank reads its own planes. NRRD, NIfTI and compressed MetaImage, which ITK
+/// cannot read in parts: rank 0 reads the file and hands it out plane by plane.
+///
+/// The voxel size is the deck's, else the file's; an axis that neither states is left 0 (see
+/// ImageSummary), and require_voxel_size() turns that into an error. \param folder  of the deck, to
+/// which the file's name is relative \throws base::InputError on all ranks: no such file, not an
+/// image, broken, no such channel or dataset, a type of
+///         value that is not admissible, a region outside the image
+IntensityVolume read_volume(const base::Communicator& communicator,
+                            const ImageParameters& parameters, const std::string& folder,
+                            ImageSummary& summary);
+
+/// \throws base::InputError naming the deck's parameter when the size of a voxel is not known along
+/// every axis
+void require_voxel_size(const ImageSummary& summary);
+
+/// The whole way to labels: read or make a phantom, cut the region, smooth, segment, remove small
+/// objects. Collective. \param summary  if not null, filled with what was found \throws
+/// base::InputError as read_volume, and when the voxel size is unknown, a label is not an integer
+/// or below
+///         -1, or Otsu's method meets a single value
+LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
+                        const std::string& folder, ImageSummary* summary = nullptr);
+
+}  // namespace stroma::image
