@@ -1,0 +1,114 @@
+#include "output/History.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/Error.hpp"
+#include "base/Log.hpp"
+
+namespace stroma::output {
+namespace {
+
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+  std::string text = "\"";
+  for (const char c : name) text += (c == '"') ? std::string("\"\"") : std::string(1, c);
+  return text + "\"";
+}
+
+std::string digits(std::int64_t value) { return std::to_string(value); }
+std::string digits(double value) { return base::format("%.17g", value); }
+
+/// Calls use(value) with the entries of a row in the order of the columns, counts as integers.
+template <class Use>
+void for_each_value(const HistoryRow& row, const Use& use) {
+  use(row.step);
+  use(row.load);
+  use(row.newton_iterations);
+  use(row.linear_iterations);
+  use(row.residual);
+  use(row.wall_seconds);
+  use(row.strain_energy);
+  for (const auto& reaction : row.reactions) {
+    for (const double component : reaction) use(component);
+  }
+  for (const MaterialSummary& material : row.materials) {
+    use(material.volume);
+    use(material.von_mises_mean);
+    use(material.von_mises_max);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> history_columns(const std::vector<std::string>& boundary_conditions,
+                                         const std::vector<std::string>& materials) {
+  std::vector<std::string> columns = {
+      "step",     "load",         "newton_iterations", "linear_iterations",
+      "residual", "wall_seconds", "strain_energy"};
+  for (const std::string& name : boundary_conditions) {
+    for (const char* component : {"x", "y", "z"})
+      columns.push_back(name + ".reaction_" + component);
+  }
+  for (const std::string& name : materials) {
+    for (const char* figure : {"volume", "von_mises_mean", "von_mises_max"}) {
+      columns.push_back(name + "." + figure);
+    }
+  }
+  return columns;
+}
+
+std::vector<double> history_values(const HistoryRow& row) {
+  std::vector<double> values;
+  for_each_value(row, [&](auto value) { values.push_back(static_cast<double>(value)); });
+  return values;
+}
+
+History::History(const base::Communicator& communicator, std::string path,
+                 const std::vector<std::string>& boundary_conditions,
+                 const std::vector<std::string>& materials)
+    : communicator_(communicator),
+      path_(std::move(path)),
+      boundary_conditions_(boundary_conditions.size()),
+      materials_(materials.size()) {
+  std::string header;
+  for (const std::string& column : history_columns(boundary_conditions, materials)) {
+    header += (header.empty() ? "" : ",") + quoted(column);
+  }
+  write_line(header, "w");
+}
+
+void History::append(const HistoryRow& row) {
+  if (row.reactions.size() != boundary_conditions_ || row.materials.size() != materials_) {
+    throw base::RunError(base::format(
+        "a row for '%s' has %zu reactions and %zu materials; its header has %zu and %zu",
+        path_.c_str(), row.reactions.size(), row.materials.size(), boundary_conditions_,
+        materials_));
+  }
+  std::string line;
+  for_each_value(row, [&](auto value) { line += (line.empty() ? "" : ",") + digits(value); });
+  write_line(line, "a");
+}
+
+void History::write_line(const std::string& line, const char* mode) {
+  base::collectively(communicator_, [&] {
+    if (!communicator_.is_root()) return;
+    // The file is opened for each row and closed again: closing is the last chance of a full disk
+    // to say so, and a reader finds whole lines at any time.
+    errno = 0;
+    std::FILE* file = std::fopen(path_.c_str(), mode);
+    bool written =
+        file != nullptr && std::fprintf(file, "%s\n", line.c_str()) > 0 && std::fflush(file) == 0;
+    int reason = errno;
+    if (file != nullptr && std::fclose(file) != 0 && written) {
+      written = false;
+      reason = errno;
+    }
+    if (!written) {
+      throw base::RunError("cannot write '" + path_ + "': " + std::strerror(reason));
+    }
+  });
+}
+
+}  // namespace stroma::output

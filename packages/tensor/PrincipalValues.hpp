@@ -1,0 +1,71 @@
+#pragma once
+
+/// \file
+/// Principal values of a symmetric 3 x 3 tensor.
+
+#include <Kokkos_Core.hpp>
+#include <cmath>
+
+#include "tensor/Tensor3.hpp"
+
+namespace stroma::tensor {
+
+/// Three principal values, descending.
+struct PrincipalValues {
+  double value[3] = {};
+
+  KOKKOS_INLINE_FUNCTION double operator()(int i) const { return value[i]; }
+};
+
+/// Eigenvalues of a symmetric tensor a, in descending order and in a's unit; only the diagonal and
+/// the entries above it are read.
+///
+/// Cyclic Jacobi rotations: each turns the plane (p, q) by the angle that makes a_pq zero,
+///
+///     tan t = sign(d) / (|d| + sqrt(d^2 + 1)),   d = (a_qq - a_pp) / (2 a_pq),
+///
+/// until no entry beside the diagonal counts. The error is a few eps ||a||, whether values are
+/// repeated or not, where the closed formula with an arccosine loses half the digits. Entries that
+/// are not finite give values that are not finite.
+///
+/// Source: Golub & Van Loan (2013), Matrix Computations, section 8.5.
+KOKKOS_INLINE_FUNCTION PrincipalValues principal_values(Tensor3 a) {
+  constexpr int max_sweeps = 12;  // convergence is quadratic; 4 or 5 sweeps are the rule
+  constexpr double eps = 2.220446049250313e-16;
+  const double size = sqrt(a(0, 0) * a(0, 0) + a(1, 1) * a(1, 1) + a(2, 2) * a(2, 2) +
+                           2.0 * (a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2)));
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    const double beside = fabs(a(0, 1)) + fabs(a(0, 2)) + fabs(a(1, 2));
+    if (!(beside > 1e-3 * eps * size)) break;
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        if (a(p, q) == 0.0) continue;
+        const int r = 3 - p - q;
+        const double d = (a(q, q) - a(p, p)) / (2.0 * a(p, q));
+        const double tangent = (d < 0.0 ? -1.0 : 1.0) / (fabs(d) + sqrt(d * d + 1.0));
+        const double cosine = 1.0 / sqrt(tangent * tangent + 1.0);
+        const double sine = tangent * cosine;
+
+        a(p, p) -= tangent * a(p, q);
+        a(q, q) += tangent * a(p, q);
+        a(p, q) = 0.0;
+        double& pr = (p < r) ? a(p, r) : a(r, p);
+        double& qr = (q < r) ? a(q, r) : a(r, q);
+        const double old_pr = pr;
+        pr = cosine * old_pr - sine * qr;
+        qr = sine * old_pr + cosine * qr;
+      }
+    }
+  }
+  PrincipalValues values{{a(0, 0), a(1, 1), a(2, 2)}};
+  for (const int i : {0, 1, 0}) {
+    if (values.value[i] < values.value[i + 1]) {
+      const double larger = values.value[i + 1];
+      values.value[i + 1] = values.value[i];
+      values.value[i] = larger;
+    }
+  }
+  return values;
+}
+
+}  // namespace stroma::tensor
