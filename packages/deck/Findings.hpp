@@ -3,6 +3,7 @@
 /// \file
 /// Collects the mistakes of a deck, so that the user hears of all of them at once.
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ class Findings {
   /// The same collection seen from a section inside this one. `section` may be null (a section that
   /// is not in the deck): its mistakes get the line of the innermost section that is.
   Findings inside(const std::string& name, const tree::List* section) const;
+  /// The same for a section inside this one, looked up by its name.
+  Findings below(const std::string& name) const;
   /// Adds what has been found elsewhere.
   void add(const std::vector<Mistake>& mistakes);
   /// Adds a mistake with a line of its own.

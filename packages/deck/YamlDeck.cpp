@@ -1,0 +1,169 @@
+#include <yaml-cpp/yaml.h>
+// yaml.h leaves out the event interface, which alone tells anchors and duplicate keys.
+#include <yaml-cpp/eventhandler.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "deck/ReadTree.hpp"
+
+namespace stroma::deck {
+namespace {
+
+/// What makes a YAML text no deck at all.
+struct NoDeck {
+  int line;
+  std::string reason;
+};
+
+/// Builds the tree from yaml-cpp's events.
+class YamlReader : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
+    throw NoDeck{mark.line + 1,
+                 "anchors and aliases (&" + name + ", *" + name + ") have no place in a deck"};
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    throw NoDeck{mark.line + 1, "anchors and aliases (&name, *name) have no place in a deck"};
+  }
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
+    scalar(mark, tree::Form::nothing, "");
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                const std::string& value) override {
+    refuse_tag(mark, tag);
+    scalar(mark, tag == quoted_tag ? tree::Form::quoted_text : tree::Form::plain_text, value);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    refuse_tag(mark, tag);
+    require_map(mark);
+    tree::Parameter& parameter = add_parameter(mark);
+    parameter.form = tree::Form::sequence;
+    sequence_ = &parameter;
+  }
+  void OnSequenceEnd() override { sequence_ = nullptr; }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {
+    refuse_tag(mark, tag);
+    if (sequence_ != nullptr) {
+      throw NoDeck{mark.line + 1,
+                   "a map inside a list: \"" + sequence_->name + "\" can only hold values"};
+    }
+    if (sections_.size() > deepest_section)
+      throw NoDeck{mark.line + 1, "sections are nested too deep"};
+    if (sections_.empty()) {
+      document_.line = mark.line + 1;
+      sections_.push_back({&document_, "", 0, false});
+      return;
+    }
+    require_map(mark);
+    Section& parent = sections_.back();
+    tree::List list;
+    list.name = parent.key;
+    list.line = parent.key_line;
+    parent.has_key = false;
+    // Only the open sections are pointed to, and an open section's siblings are complete.
+    parent.list->lists.push_back(std::move(list));
+    sections_.push_back({&parent.list->lists.back(), "", 0, false});
+  }
+  void OnMapEnd() override { sections_.pop_back(); }
+
+  /// The one map inside the outer map.
+  tree::List root() {
+    if (document_.parameters.empty() && document_.lists.size() == 1)
+      return std::move(document_.lists[0]);
+    const int line = std::max(1, document_.line);
+    throw NoDeck{
+        line,
+        "a YAML deck is one outer key, the deck's name, with everything else indented under it"};
+  }
+
+ private:
+  struct Section {
+    tree::List* list;
+    std::string key;
+    int key_line;
+    bool has_key;
+  };
+  static constexpr const char* quoted_tag = "!";
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+    if (tag.empty() || tag == "?" || tag == quoted_tag) return;
+    throw NoDeck{mark.line + 1,
+                 "YAML tags (!!type) have no place in a deck: the parameter has a type"};
+  }
+
+  /// A list or map can only be the value of a key.
+  void require_map(const YAML::Mark& mark) const {
+    if (sequence_ != nullptr) {
+      throw NoDeck{mark.line + 1,
+                   "a list inside a list: \"" + sequence_->name + "\" can only hold values"};
+    }
+    if (sections_.empty())
+      throw NoDeck{mark.line + 1, "a YAML deck is a map: name, colon, content"};
+    if (!sections_.back().has_key) throw NoDeck{mark.line + 1, "a name can only be a plain text"};
+  }
+
+  tree::Parameter& add_parameter(const YAML::Mark&) {
+    Section& section = sections_.back();
+    tree::Parameter parameter;
+    parameter.name = section.key;
+    parameter.line = section.key_line;
+    section.has_key = false;
+    section.list->parameters.push_back(std::move(parameter));
+    return section.list->parameters.back();
+  }
+
+  void scalar(const YAML::Mark& mark, tree::Form form, const std::string& value) {
+    if (sequence_ != nullptr) {
+      sequence_->items.push_back(value);
+      sequence_->quoted.push_back(form == tree::Form::quoted_text);
+      return;
+    }
+    if (sections_.empty())
+      throw NoDeck{mark.line + 1, "a YAML deck is a map: name, colon, content"};
+    Section& section = sections_.back();
+    if (!section.has_key) {
+      if (value.empty()) throw NoDeck{mark.line + 1, "an empty name"};
+      section.key = value;
+      section.key_line = mark.line + 1;
+      section.has_key = true;
+      return;
+    }
+    tree::Parameter& parameter = add_parameter(mark);
+    parameter.form = form;
+    parameter.text = value;
+  }
+
+  tree::List document_;
+  std::vector<Section> sections_;
+  tree::Parameter* sequence_ = nullptr;  ///< the list that is open
+};
+
+}  // namespace
+
+ParsedTree parse_yaml(const std::string& text, const std::string& path) {
+  try {
+    std::stringstream stream(text);
+    YAML::Parser parser(stream);
+    YamlReader reader;
+    if (!parser.HandleNextDocument(reader)) throw NoDeck{1, "the deck is empty"};
+    YamlReader second;
+    if (parser.HandleNextDocument(second)) throw NoDeck{1, "several YAML documents in one file"};
+    return {reader.root(), {}};
+  } catch (const NoDeck& error) {
+    throw malformed(path, error.line, error.reason);
+  } catch (const YAML::Exception& error) {
+    throw malformed(path, std::max(1, error.mark.line + 1), "not well-formed YAML: " + error.msg);
+  }
+}
+
+}  // namespace stroma::deck
