@@ -1,0 +1,63 @@
+#pragma once
+
+/// \file
+/// The background grid: a Cartesian box of elements, and boxes of indices in it.
+
+#include <array>
+#include <cstdint>
+
+namespace stroma::grid {
+
+using Index3 = std::array<std::int64_t, 3>;
+
+/// A half-open box of indices [begin, end) in each direction; x runs fastest in local numbers.
+struct Box {
+  Index3 begin{0, 0, 0};
+  Index3 end{0, 0, 0};
+
+  std::int64_t extent(int d) const { return end[d] > begin[d] ? end[d] - begin[d] : 0; }
+  std::int64_t count() const { return extent(0) * extent(1) * extent(2); }
+  bool contains(const Index3& index) const {
+    for (int d = 0; d < 3; ++d)
+      if (index[d] < begin[d] || index[d] >= end[d]) return false;
+    return true;
+  }
+  /// Local number of an index of the box.
+  std::int64_t local(const Index3& index) const {
+    return (index[0] - begin[0]) +
+           extent(0) * ((index[1] - begin[1]) + extent(1) * (index[2] - begin[2]));
+  }
+  /// Index of a local number.
+  Index3 index(std::int64_t number) const {
+    return {begin[0] + number % extent(0), begin[1] + number / extent(0) % extent(1),
+            begin[2] + number / (extent(0) * extent(1))};
+  }
+};
+
+/// Calls f(index) for every index of a box, x fastest.
+template <class Function>
+void for_each_index(const Box& box, const Function& f) {
+  for (std::int64_t k = box.begin[2]; k < box.end[2]; ++k)
+    for (std::int64_t j = box.begin[1]; j < box.end[1]; ++j)
+      for (std::int64_t i = box.begin[0]; i < box.end[0]; ++i) f(Index3{i, j, k});
+}
+
+/// Cartesian grid of box elements. Node (i, j, k) lies at origin + (i, j, k) * spacing.
+struct Grid {
+  Index3 elements{1, 1, 1};                      ///< elements per direction
+  std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< position of node (0, 0, 0) [um]
+  std::array<double, 3> spacing{1.0, 1.0, 1.0};  ///< size of an element [um]
+
+  Box all_elements() const { return {{0, 0, 0}, elements}; }
+  Box all_nodes() const {
+    return {{0, 0, 0}, {elements[0] + 1, elements[1] + 1, elements[2] + 1}};
+  }
+  double length(int d) const { return static_cast<double>(elements[d]) * spacing[d]; }
+  std::array<double, 3> node_position(const Index3& node) const {
+    std::array<double, 3> x;
+    for (int d = 0; d < 3; ++d) x[d] = origin[d] + static_cast<double>(node[d]) * spacing[d];
+    return x;
+  }
+};
+
+}  // namespace stroma::grid

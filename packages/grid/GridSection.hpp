@@ -1,0 +1,35 @@
+#pragma once
+
+/// \file
+/// The deck section "Grid", and the grid it describes over the body's box.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "deck/Section.hpp"
+#include "grid/Grid.hpp"
+
+namespace stroma::grid {
+
+enum class ShapeFunctions { linear };
+
+struct GridParameters {
+  std::optional<std::array<double, 3>> element_size;  ///< [um], > 0
+  std::optional<std::array<int, 3>> elements;         ///< instead of the size
+  bool reset = false;
+  ShapeFunctions shape_functions = ShapeFunctions::linear;
+  bool plane_strain = false;
+};
+
+deck::Section<GridParameters> grid_section();
+
+/// The grid that fills the body's box.
+///
+/// \param length  edges of the box [um], > 0
+/// \throws base::InputError when the element size does not divide the box (to 1e-6 of an element), or
+///         when plane strain meets more than one element through z; the message names the nearest
+///         sizes that fit
+Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& length);
+
+}  // namespace stroma::grid

@@ -1,0 +1,99 @@
+#include "mechanics/BoundaryConditions.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace stroma::mechanics {
+
+int axis_of(Face face) { return face == Face::all ? -1 : static_cast<int>(face) / 2; }
+
+bool is_upper(Face face) { return face != Face::all && static_cast<int>(face) % 2 == 1; }
+
+double BoundaryCondition::value(int component, const std::array<double, 3>& position,
+                                const std::array<double, 3>& corner,
+                                const std::array<double, 3>& length) const {
+  const auto c = static_cast<std::size_t>(component);
+  if (displacement) return (*displacement)[c];
+  if (strain && axis_of(*face) == component)
+    return (is_upper(*face) ? 1.0 : -1.0) * *strain * length[c];
+  if (displacement_gradient) {
+    double sum = 0.0;
+    for (std::size_t d = 0; d < 3; ++d)
+      sum += (*displacement_gradient)[3 * c + d] * (position[d] - corner[d]);
+    return sum;
+  }
+  return 0.0;
+}
+
+int BoundaryCondition::loaded_component(const std::array<double, 3>& length) const {
+  int loaded = -1;
+  double largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    if (!prescribes(c)) continue;
+    const double moved = std::abs(value(c, length, {0.0, 0.0, 0.0}, length));
+    if (moved > largest) {
+      largest = moved;
+      loaded = c;
+    }
+  }
+  return loaded;
+}
+
+deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
+  deck::Section<BoundaryCondition> condition(
+      "NAME", "One condition; NAME is the user's and appears in the results.");
+  condition.required_choice("Face", &BoundaryCondition::face,
+                            {{"x-", Face::x_lower},
+                             {"x+", Face::x_upper},
+                             {"y-", Face::y_lower},
+                             {"y+", Face::y_upper},
+                             {"z-", Face::z_lower},
+                             {"z+", Face::z_upper},
+                             {"all", Face::all}},
+                            "A face of the body's box, or all six.");
+  condition.required("Components", &BoundaryCondition::components, deck::not_empty(),
+                     "The displacement components it prescribes: a selection of xyz, such as y or xyz.");
+  condition.optional("Displacement [um]", &BoundaryCondition::displacement, deck::any(),
+                     "Displacement at full load, x, y, z. Without any of Displacement, Strain and "
+                     "Displacement Gradient the components are held at zero.");
+  condition.optional("Strain", &BoundaryCondition::strain, deck::any(),
+                     "Displacement along the outward normal at full load, as a fraction of the body's "
+                     "length there; the other components are held at zero.");
+  condition.optional("Displacement Gradient", &BoundaryCondition::displacement_gradient, deck::any(),
+                     "Nine numbers G, row by row: u = G (X - lowest corner of the body's box).");
+  condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
+    for (std::size_t n = 0; n < p.components.size(); ++n) {
+      const char c = p.components[n];
+      if (c != 'x' && c != 'y' && c != 'z') {
+        findings.add("Components", "\"" + p.components + "\": '" + std::string(1, c) +
+                                       "' is not a component; admissible: a selection of xyz");
+        break;
+      }
+      if (p.components.find(c, n + 1) != std::string::npos) {
+        findings.add("Components", "\"" + p.components + "\": '" + std::string(1, c) +
+                                       "' stands there twice; admissible: a selection of xyz");
+        break;
+      }
+    }
+    const int given = (p.displacement ? 1 : 0) + (p.strain ? 1 : 0) + (p.displacement_gradient ? 1 : 0);
+    if (given > 1)
+      findings.add(p.strain ? "Strain" : "Displacement Gradient",
+                   "more than one of \"Displacement [um]\", \"Strain\" and \"Displacement Gradient\" is "
+                   "given; admissible: one of them");
+    if (p.strain && *p.face == Face::all)
+      findings.add("Strain", "has no direction on Face = all; admissible: a single face, or "
+                             "\"Displacement Gradient\"");
+    else if (p.strain && !p.prescribes(axis_of(*p.face)))
+      findings.add("Strain", std::string("is along the face's normal, ") + "xyz"[axis_of(*p.face)] +
+                                 ", which \"Components\" does not prescribe");
+    if (p.strain && !(*p.strain > -1.0))
+      findings.add("Strain", "a body cannot be compressed by 100 % or more; admissible: > -1");
+  });
+
+  deck::Section<BoundaryConditionsParameters> section(
+      "Boundary Conditions", "One sublist for each condition, named by the user.");
+  section.named_sections(condition, &BoundaryConditionsParameters::conditions);
+  return section;
+}
+
+}  // namespace stroma::mechanics

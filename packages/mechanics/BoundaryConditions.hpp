@@ -1,0 +1,57 @@
+#pragma once
+
+/// \file
+/// The deck section "Boundary Conditions": what holds and moves the body's faces.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deck/Section.hpp"
+
+namespace stroma::mechanics {
+
+enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper, all };
+
+/// Axis (0, 1, 2) of a face's normal, -1 for Face::all.
+int axis_of(Face face);
+/// Whether the face is the upper one of its axis.
+bool is_upper(Face face);
+
+/// One condition on the displacement of a face. At most one of the three values is given; without
+/// any, the components are held at zero.
+struct BoundaryCondition {
+  std::optional<Face> face;
+  std::string components;                                    ///< a selection of "xyz"
+  std::optional<std::array<double, 3>> displacement;         ///< [um], at full load
+  std::optional<double> strain;                              ///< along the outward normal [-]
+  std::optional<std::array<double, 9>> displacement_gradient;  ///< G, row by row [-]
+
+  bool prescribes(int component) const {
+    return components.find("xyz"[component]) != std::string::npos;
+  }
+
+  /// Displacement component at full load [um] of a point of the face: the given displacement; or
+  /// strain * length along the outward normal; or G (X - corner).
+  ///
+  /// \param position  X [um]
+  /// \param corner    lowest corner of the body's box [um]
+  /// \param length    edges of the body's box [um]
+  double value(int component, const std::array<double, 3>& position,
+               const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
+
+  /// Component along which the face moves most at full load, -1 if it stays.
+  int loaded_component(const std::array<double, 3>& length) const;
+};
+
+using NamedConditions = std::vector<std::pair<std::string, BoundaryCondition>>;
+
+struct BoundaryConditionsParameters {
+  NamedConditions conditions;
+};
+
+deck::Section<BoundaryConditionsParameters> boundary_conditions_section();
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,59 @@
+#pragma once
+
+/// \file
+/// The assembled tangent as a Tpetra matrix.
+
+#include <Tpetra_CrsMatrix.hpp>
+
+#include "grid/Halo.hpp"
+#include "transfer/Tangent.hpp"
+
+namespace stroma::mechanics {
+
+using Matrix = Tpetra::CrsMatrix<double>;
+
+/// A compressed row matrix over the unknowns of the nodes whose graph, a node and its 26 neighbours, is
+/// built once, by arithmetic. It can be filled again and again:
+///
+///     launch(tangent.begin());   // adds the blocks of this rank's elements
+///     tangent.finish();          // rows shared with neighbours go to their owners
+///
+/// Prescribed components keep their row and column, empty but for a constant on the diagonal, so that
+/// the matrix stays symmetric and three by three blocked.
+///
+/// Memory: 12 bytes an entry, 81 entries a row.
+class TangentMatrix {
+ public:
+  using Device = grid::Device;
+
+  /// \param held      prescribed components (touched node), Supports::held()
+  /// \param diagonal  what stands on the diagonal of prescribed components [pN/um]; of the size of the
+  ///                  other diagonal entries, so that multigrid hierarchies see nothing odd
+  TangentMatrix(const grid::Halo& halo, const Kokkos::View<std::uint8_t*, Device>& held,
+                double diagonal);
+
+  /// Zeroes the matrix and says where the blocks of elements go.
+  transfer::BlockRows<Device> begin();
+  /// Completes the rows of owned nodes. Collective.
+  void finish();
+
+  const grid::RCP<Matrix>& matrix() const { return matrix_; }
+
+ private:
+  void build_graph();
+  void build_exchange();
+
+  const grid::Halo* halo_;
+  double diagonal_;
+  grid::RCP<Matrix> matrix_;
+  transfer::BlockRows<Device> rows_;
+  Kokkos::View<std::uint8_t* [27], Device> slot_;
+  Kokkos::View<int*, Device> row_;
+  Kokkos::View<std::size_t*, Device> row_begin_;
+  // Only with several ranks: blocks of nodes that others own, and of owned nodes that others touch.
+  grid::RCP<grid::MultiVector> shared_, received_;
+  grid::RCP<const Tpetra::Export<>> export_;
+  Kokkos::View<int*, Device> received_node_;  // (row of received_) owned node
+};
+
+}  // namespace stroma::mechanics

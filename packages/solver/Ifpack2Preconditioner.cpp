@@ -1,0 +1,51 @@
+#include <Ifpack2_Factory.hpp>
+
+#include "solver/Preconditioner.hpp"
+
+namespace stroma::solver {
+namespace {
+
+/// Jacobi (the paper's) or a Chebyshev polynomial in the Jacobi-scaled matrix.
+class Ifpack2Preconditioner : public Preconditioner {
+ public:
+  explicit Ifpack2Preconditioner(const SolverParameters& parameters)
+      : method_(parameters.preconditioner == PreconditionerKind::chebyshev ? "CHEBYSHEV"
+                                                                           : "RELAXATION") {
+    list_.set("relaxation: type", "Jacobi");
+    list_.set("chebyshev: degree", 4);
+    list_.set("chebyshev: ratio eigenvalue", 30.0);
+    // Power iterations approach the largest eigenvalue from below; beyond it the polynomial is
+    // negative and conjugate gradients break down. More of them, and a margin.
+    list_.set("chebyshev: eigenvalue max iterations", 30);
+    list_.set("chebyshev: boost factor", 1.2);
+    if (parameters.ifpack2 != Teuchos::null) list_.setParameters(*parameters.ifpack2);
+    if (method_ == "CHEBYSHEV") {
+      for (const char* name : {"relaxation: type", "relaxation: sweeps", "relaxation: use l1",
+                               "relaxation: damping factor", "relaxation: min diagonal value"})
+        list_.remove(name, false);
+    }
+  }
+
+  void compute(const grid::RCP<mechanics::Matrix>& matrix) override {
+    if (preconditioner_ == Teuchos::null) {
+      preconditioner_ = Ifpack2::Factory().create<Tpetra::RowMatrix<double>>(method_, matrix);
+      preconditioner_->setParameters(list_);
+      preconditioner_->initialize();
+    }
+    preconditioner_->compute();
+  }
+  grid::RCP<const Operator> apply_inverse() const override { return preconditioner_; }
+
+ private:
+  std::string method_;
+  Teuchos::ParameterList list_;
+  grid::RCP<Ifpack2::Preconditioner<double>> preconditioner_;
+};
+
+}  // namespace
+
+std::unique_ptr<Preconditioner> make_ifpack2(const SolverParameters& parameters) {
+  return std::make_unique<Ifpack2Preconditioner>(parameters);
+}
+
+}  // namespace stroma::solver

@@ -1,0 +1,65 @@
+#include "solver/LinearSolver.hpp"
+
+#include <BelosPseudoBlockCGSolMgr.hpp>
+#include <BelosTpetraAdapter.hpp>
+
+#include "base/Error.hpp"
+
+namespace stroma::solver {
+
+std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
+                                                    const mechanics::MomentumBalance& balance) {
+  switch (parameters.preconditioner) {
+    case PreconditionerKind::multigrid:
+      return make_muelu(parameters, balance);
+    case PreconditionerKind::direct:
+      return make_direct();
+    default:
+      return make_ifpack2(parameters);
+  }
+}
+
+LinearSolver::LinearSolver(const SolverParameters& parameters,
+                           const mechanics::MomentumBalance& balance)
+    : parameters_(parameters), preconditioner_(make_preconditioner(parameters, balance)) {}
+
+void LinearSolver::set_matrix(const grid::RCP<mechanics::Matrix>& matrix) {
+  matrix_ = matrix;
+  preconditioner_->compute(matrix);
+}
+
+LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& x,
+                                 double tolerance) {
+  using Problem = Belos::LinearProblem<double, grid::MultiVector, Operator>;
+  using Manager = Belos::PseudoBlockCGSolMgr<double, grid::MultiVector, Operator>;
+  x.putScalar(0.0);
+  LinearResult result;
+  Teuchos::Array<double> norm(1);
+  b.norm2(norm());
+  if (norm[0] == 0.0) {
+    result.converged = true;
+    return result;
+  }
+  const auto problem =
+      Teuchos::rcp(new Problem(matrix_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
+  problem->setLeftPrec(preconditioner_->apply_inverse());
+  problem->setProblem();
+  const auto list = Teuchos::parameterList();
+  list->set("Convergence Tolerance", tolerance);
+  list->set("Maximum Iterations", parameters_.linear_iterations);
+  list->set("Residual Scaling", "Norm of RHS");
+  if (parameters_.belos != Teuchos::null) list->setParameters(*parameters_.belos);
+  Manager manager(problem, list);
+  try {
+    result.converged = manager.solve() == Belos::Converged;
+  } catch (const std::exception&) {
+    // Belos throws the same way on all ranks: on p.Kp <= 0, and on a residual that is not a number.
+    throw base::StepRejected("conjugate gradients met an indefinite tangent or preconditioner");
+  }
+  result.iterations = manager.getNumIters();
+  result.achieved = manager.achievedTol();
+  total_iterations_ += result.iterations;
+  return result;
+}
+
+}  // namespace stroma::solver

@@ -1,0 +1,40 @@
+#pragma once
+
+/// \file
+/// Preconditioned conjugate gradients for the tangent.
+
+#include <memory>
+
+#include "solver/Preconditioner.hpp"
+
+namespace stroma::solver {
+
+struct LinearResult {
+  bool converged = false;
+  int iterations = 0;
+  double achieved = 0.0;  ///< ||b - K x|| / ||b||, as conjugate gradients see it
+};
+
+/// Solves K x = b with Belos' conjugate gradients and the preconditioner that the deck chose.
+class LinearSolver {
+ public:
+  LinearSolver(const SolverParameters& parameters, const mechanics::MomentumBalance& balance);
+
+  /// Adapts the preconditioner to the matrix's present values. Collective.
+  void set_matrix(const grid::RCP<mechanics::Matrix>& matrix);
+
+  /// Solves from x = 0 until ||residual|| <= tolerance * ||b||. Collective.
+  /// \throws base::StepRejected when the matrix or the preconditioner turns out to be indefinite
+  LinearResult solve(const grid::MultiVector& b, grid::MultiVector& x, double tolerance);
+
+  /// Iterations of all solves so far.
+  long long total_iterations() const { return total_iterations_; }
+
+ private:
+  SolverParameters parameters_;
+  std::unique_ptr<Preconditioner> preconditioner_;
+  grid::RCP<mechanics::Matrix> matrix_;
+  long long total_iterations_ = 0;
+};
+
+}  // namespace stroma::solver

@@ -1,0 +1,69 @@
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <MueLu_TpetraOperator.hpp>
+
+#include "solver/Preconditioner.hpp"
+
+namespace stroma::solver {
+namespace {
+
+/// The six rigid body motions at this rank's nodes: what the near-null space of elasticity is.
+grid::RCP<grid::MultiVector> rigid_body_modes(const mechanics::MomentumBalance& balance) {
+  const grid::Partition& partition = balance.halo().partition();
+  const grid::Box owned = partition.owned_nodes(balance.halo().communicator().rank());
+  const auto modes = Teuchos::rcp(new grid::MultiVector(balance.owned_map(), 6));
+  const auto value = modes->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const grid::Grid& grid = partition.grid();
+  grid::for_each_index(owned, [&](const grid::Index3& node) {
+    const auto n = static_cast<std::size_t>(3 * owned.local(node));
+    std::array<double, 3> r = grid.node_position(node);
+    for (int d = 0; d < 3; ++d) r[d] -= grid.origin[d] + 0.5 * grid.length(d);
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t m = 0; m < 6; ++m) value(n + c, m) = m == c ? 1.0 : 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // e_axis x r
+      const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+      value(n + next, 3 + axis) = -r[last];
+      value(n + last, 3 + axis) = r[next];
+    }
+  });
+  return modes;
+}
+
+/// Smoothed aggregation on the assembled tangent.
+class MueLuPreconditioner : public Preconditioner {
+ public:
+  MueLuPreconditioner(const SolverParameters& parameters, const mechanics::MomentumBalance& balance)
+      : modes_(rigid_body_modes(balance)) {
+    list_.set("verbosity", "none");
+    list_.set("number of equations", 3);
+    list_.set("multigrid algorithm", "sa");
+    list_.set("coarse: max size", 1000);
+    list_.set("max levels", 10);
+    // Symmetric Gauss-Seidel keeps the cycle symmetric and, unlike Chebyshev, needs no estimate of
+    // the largest eigenvalue, which came out too low on this operator.
+    list_.set("smoother: type", "RELAXATION");
+    list_.sublist("smoother: params").set("relaxation: type", "Symmetric Gauss-Seidel");
+    list_.sublist("smoother: params").set("relaxation: sweeps", 1);
+    if (parameters.muelu != Teuchos::null) list_.setParameters(*parameters.muelu);
+  }
+
+  void compute(const grid::RCP<mechanics::Matrix>& matrix) override {
+    Teuchos::ParameterList list(list_);
+    list.sublist("user data").set("Nullspace", modes_);
+    hierarchy_ = MueLu::CreateTpetraPreconditioner(grid::RCP<Operator>(matrix), list);
+  }
+  grid::RCP<const Operator> apply_inverse() const override { return hierarchy_; }
+
+ private:
+  Teuchos::ParameterList list_;
+  grid::RCP<grid::MultiVector> modes_;
+  grid::RCP<const Operator> hierarchy_;
+};
+
+}  // namespace
+
+std::unique_ptr<Preconditioner> make_muelu(const SolverParameters& parameters,
+                                           const mechanics::MomentumBalance& balance) {
+  return std::make_unique<MueLuPreconditioner>(parameters, balance);
+}
+
+}  // namespace stroma::solver

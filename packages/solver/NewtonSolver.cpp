@@ -1,0 +1,125 @@
+#include "solver/NewtonSolver.hpp"
+
+#include <NOX.H>
+#include <NOX_Thyra.H>
+
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <cmath>
+
+#include "base/Error.hpp"
+#include "base/Log.hpp"
+
+namespace stroma::solver {
+namespace {
+
+using Extract = Thyra::TpetraOperatorVectorExtraction<double, grid::LocalOrdinal,
+                                                      grid::GlobalOrdinal, grid::Map::node_type>;
+
+/// Converged when ||F|| <= tolerance * the largest reaction, which grows as iterates are seen.
+class RelativeToReaction : public NOX::StatusTest::Generic {
+ public:
+  RelativeToReaction(double tolerance, std::function<double(const NOX::Abstract::Group&)> measure)
+      : tolerance_(tolerance), measure_(std::move(measure)) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
+                                          NOX::StatusTest::CheckType) override {
+    status_ = measure_(problem.getSolutionGroup()) <= tolerance_ ? NOX::StatusTest::Converged
+                                                                 : NOX::StatusTest::Unconverged;
+    return status_;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int) const override { return stream; }
+
+ private:
+  double tolerance_;
+  std::function<double(const NOX::Abstract::Group&)> measure_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+Teuchos::RCP<Teuchos::ParameterList> nox_settings(const SolverParameters& parameters) {
+  const auto list = Teuchos::parameterList();
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Direction").set("Method", "Newton");
+  auto& newton = list->sublist("Direction").sublist("Newton");
+  newton.set("Forcing Term Method", "Constant");
+  newton.sublist("Linear Solver").set("Tolerance", parameters.linear_tolerance);
+  auto& search = list->sublist("Line Search");
+  search.set("Method", "Backtrack");
+  search.sublist("Backtrack").set("Minimum Step", 1.0 / 64);
+  search.sublist("Backtrack").set("Recovery Step", 1.0);
+  list->sublist("Printing").set("Output Information", 0);
+  if (parameters.nox != Teuchos::null) list->setParameters(*parameters.nox);
+  return list;
+}
+
+}  // namespace
+
+NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::MomentumBalance& balance,
+                           Progress progress)
+    : parameters_(parameters),
+      balance_(&balance),
+      progress_(std::move(progress)),
+      linear_solver_(parameters, balance),
+      model_(Teuchos::rcp(new ThyraModel(balance, thyra_factory(linear_solver_)))) {}
+
+NewtonResult NewtonSolver::solve(grid::Vector& u) {
+  residual_history_.clear();
+  const auto measure = [&](const NOX::Abstract::Group& group) {
+    const double reaction = model_->reaction_norm();
+    if (std::isfinite(reaction)) largest_reaction_ = std::max(largest_reaction_, reaction);
+    const double norm = group.getNormF();
+    const double relative = norm == 0.0 ? 0.0 : norm / largest_reaction_;
+    residual_history_.push_back(relative);
+    if (progress_)
+      progress_(static_cast<int>(residual_history_.size()) - 1, relative,
+                linear_solver_.total_iterations() - reported_iterations_);
+    return relative;
+  };
+
+  const auto start = Thyra::createVector(Teuchos::rcp(new grid::Vector(u, Teuchos::Copy)),
+                                         model_->get_x_space());
+  const auto group = Teuchos::rcp(new NOX::Thyra::Group(
+      NOX::Thyra::Vector(start), model_, model_->create_W_op(), model_->get_W_factory(),
+      Teuchos::RCP<Thyra::PreconditionerBase<double>>(),
+      Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>>()));
+  const auto converged =
+      Teuchos::rcp(new RelativeToReaction(parameters_.newton_tolerance, measure));
+  const auto finite = Teuchos::rcp(new NOX::StatusTest::FiniteValue);
+  const auto too_many = Teuchos::rcp(new NOX::StatusTest::MaxIters(parameters_.newton_iterations));
+  const auto test =
+      Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR, finite, converged));
+  test->addStatusTest(too_many);
+  const auto solver = NOX::Solver::buildSolver(group, test, nox_settings(parameters_));
+  const auto status = solver->solve();
+
+  const auto& last =
+      dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getX()).getThyraVector();
+  u.assign(*Extract::getConstTpetraVector(Teuchos::rcpFromRef(last)));
+
+  if (finite->getStatus() == NOX::StatusTest::Failed)
+    throw base::StepRejected("particles are turned inside out");
+  if (status != NOX::StatusTest::Converged)
+    throw base::StepRejected(base::format("Newton did not converge in %d iterations (residual %.2e)",
+                                          solver->getNumIterations(), residual_history_.back()));
+  NewtonResult result;
+  result.iterations = solver->getNumIterations();
+  result.linear_iterations = linear_solver_.total_iterations() - reported_iterations_;
+  reported_iterations_ = linear_solver_.total_iterations();
+  result.residual = residual_history_.back();
+  return result;
+}
+
+void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_change) {
+  if (balance_->assemble_tangent(u) > 0)
+    throw base::StepRejected("particles are turned inside out");
+  linear_solver_.set_matrix(balance_->tangent_matrix());
+  grid::Vector rhs(balance_->owned_map()), du(balance_->owned_map()), r(balance_->owned_map());
+  balance_->tangent_times(u, prescribed_change, rhs);
+  balance_->residual(u, r);
+  rhs.update(-1.0, r, -1.0);
+  balance_->supports().clear(rhs);
+  linear_solver_.solve(rhs, du, parameters_.linear_tolerance);
+  u.update(1.0, du, 1.0, prescribed_change, 1.0);
+}
+
+}  // namespace stroma::solver

@@ -1,0 +1,56 @@
+#pragma once
+
+/// \file
+/// Newton's method on the balance of momentum, driven by NOX.
+
+#include <functional>
+#include <vector>
+
+#include "solver/LinearSolver.hpp"
+#include "solver/ThyraLinearSolve.hpp"
+#include "solver/ThyraModel.hpp"
+
+namespace stroma::solver {
+
+struct NewtonResult {
+  int iterations = 0;
+  long long linear_iterations = 0;  ///< the predictor's included
+  double residual = 0.0;            ///< ||residual|| / largest ||reaction|| so far
+};
+
+/// Solves residual(u) = 0 for one load. Norms are Euclidean, over all ranks.
+class NewtonSolver {
+ public:
+  /// Called after each Newton iteration with its number, the relative residual (that of the starting
+  /// point for number 0), and the linear iterations so far.
+  using Progress = std::function<void(int, double, long long)>;
+
+  NewtonSolver(const SolverParameters& parameters, mechanics::MomentumBalance& balance,
+               Progress progress = {});
+
+  /// Changes u, whose prescribed components are set, until ||residual|| <= tolerance * largest
+  /// ||reaction|| of this and all earlier calls. Collective.
+  /// \throws base::StepRejected when it does not converge or when particles are turned inside out; u
+  ///         then holds the last iterate
+  NewtonResult solve(grid::Vector& u);
+
+  /// Predicts by the tangent: u + du with du the given change of the prescribed components and, at the
+  /// others, K du = -residual(u). For the first step of a run, which has no past to extrapolate; a plain
+  /// change of the prescribed components alone would crush the first layer of elements. Collective.
+  void predict(grid::Vector& u, const grid::Vector& prescribed_change);
+
+  /// Relative residual of the start and after each iteration of the last solve().
+  const std::vector<double>& residual_history() const { return residual_history_; }
+
+ private:
+  SolverParameters parameters_;
+  mechanics::MomentumBalance* balance_;
+  Progress progress_;
+  LinearSolver linear_solver_;
+  Teuchos::RCP<ThyraModel> model_;
+  long long reported_iterations_ = 0;
+  double largest_reaction_ = 0.0;
+  std::vector<double> residual_history_;
+};
+
+}  // namespace stroma::solver

@@ -1,0 +1,38 @@
+#pragma once
+
+/// \file
+/// Preconditioners for the tangent: Tpetra operators that approximate its inverse.
+
+#include <Tpetra_Operator.hpp>
+#include <memory>
+
+#include "mechanics/MomentumBalance.hpp"
+#include "solver/SolverSection.hpp"
+
+namespace stroma::solver {
+
+using Operator = Tpetra::Operator<double>;
+
+/// Makes an operator M^-1 from a matrix, again and again as its values change.
+class Preconditioner {
+ public:
+  virtual ~Preconditioner() = default;
+
+  /// Adapts to the matrix's present values. Collective.
+  /// \throws base::StepRejected when the matrix is singular to the method
+  virtual void compute(const grid::RCP<mechanics::Matrix>& matrix) = 0;
+  /// The operator; valid after compute().
+  virtual grid::RCP<const Operator> apply_inverse() const = 0;
+};
+
+/// The preconditioner that the deck chose. MueLu gets its rigid body modes from the grid of `balance`.
+std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
+                                                    const mechanics::MomentumBalance& balance);
+
+// One per package of Trilinos, each in its own file: their headers are heavy.
+std::unique_ptr<Preconditioner> make_ifpack2(const SolverParameters& parameters);
+std::unique_ptr<Preconditioner> make_muelu(const SolverParameters& parameters,
+                                           const mechanics::MomentumBalance& balance);
+std::unique_ptr<Preconditioner> make_direct();
+
+}  // namespace stroma::solver

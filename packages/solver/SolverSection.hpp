@@ -1,0 +1,36 @@
+#pragma once
+
+/// \file
+/// The deck sections "Solver" and "Loading".
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include "deck/Section.hpp"
+
+namespace stroma::solver {
+
+enum class PreconditionerKind { jacobi, chebyshev, multigrid, direct };
+
+struct SolverParameters {
+  double newton_tolerance = 1e-8;  ///< ||residual|| / largest ||reaction|| so far
+  int newton_iterations = 12;      ///< more than these: the step is rejected
+  double linear_tolerance = 1e-6;  ///< ||linear residual|| / ||right-hand side||
+  int linear_iterations = 10000;
+  PreconditionerKind preconditioner = PreconditionerKind::multigrid;
+  Teuchos::RCP<Teuchos::ParameterList> nox;      ///< laid over Stroma's own settings; may be null
+  Teuchos::RCP<Teuchos::ParameterList> belos;
+  Teuchos::RCP<Teuchos::ParameterList> ifpack2;
+  Teuchos::RCP<Teuchos::ParameterList> muelu;
+};
+
+deck::Section<SolverParameters> solver_section();
+
+struct LoadingParameters {
+  int steps = 10;
+  double smallest_step = 1e-4;  ///< of the full load
+};
+
+deck::Section<LoadingParameters> loading_section();
+
+}  // namespace stroma::solver

@@ -1,0 +1,36 @@
+#pragma once
+
+/// \file
+/// The size of load steps.
+
+#include "solver/SolverSection.hpp"
+
+namespace stroma::solver {
+
+/// Hands out load factors from 0 to 1. A rejected step is halved; accepted ones let it double again, up
+/// to 1 / Steps. Multiples of 1 / Steps are never stepped over, so that results exist there whatever
+/// was rejected on the way.
+class StepControl {
+ public:
+  explicit StepControl(const LoadingParameters& parameters);
+
+  double load() const { return load_; }
+  bool finished() const { return load_ >= 1.0; }
+  /// The load factor to try.
+  double next() const;
+  /// The step to next() has converged.
+  void accept();
+  /// The step to next() has failed: halves it.
+  /// \return false when the half would be below the smallest step
+  bool reject();
+  /// Steps accepted so far.
+  int accepted() const { return accepted_; }
+
+ private:
+  LoadingParameters parameters_;
+  double load_ = 0.0;
+  double size_;
+  int accepted_ = 0;
+};
+
+}  // namespace stroma::solver

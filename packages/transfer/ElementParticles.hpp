@@ -1,0 +1,110 @@
+#pragma once
+
+/// \file
+/// Kinematics of the particles of one element: what every transfer kernel starts from.
+
+#include "particles/Particles.hpp"
+#include "tensor/Tensor3.hpp"
+#include "transfer/ElementLoop.hpp"
+
+namespace stroma::transfer {
+
+using tensor::Tensor3;
+
+/// One particle at the current configuration.
+template <class Shape>
+struct ParticlePoint {
+  int p;                             ///< local number
+  double volume;                     ///< V0 [um^3]
+  double value[Shape::nodes];        ///< N_a [-]
+  double gradient[3][Shape::nodes];  ///< (j, a) dN_a/dx_j at the CURRENT configuration [1/um]
+  Tensor3 H;                         ///< F - I, from the undeformed body [-]
+};
+
+/// Particles and displaced nodes of a rank, element by element.
+///
+/// The nodes have moved by U since the base configuration, in which the grid is Cartesian. With base
+/// gradients grad N this gives
+///
+///     f = I + sum_a U_a (x) grad N_a,    H = H_base + (f - I) + (f - I) H_base,
+///     grad_x N_a = f^-T grad N_a.
+///
+/// The same formula serves a grid that convects (base = undeformed body, H_base = 0) and one that is
+/// reset (base = last step): pulling gradients back to the base is what the inverse Jacobian of a
+/// convected element does.
+///
+/// Source: docs/theory.md, eq. (T.4) to (T.7).
+template <class Shape, class Device>
+struct ElementParticles {
+  using NodeView = Kokkos::View<const double* [3], Kokkos::LayoutRight, Device>;
+
+  ElementBox box;
+  particles::Particles<Device> particles;
+  NodeView displacement;  ///< U of the touched nodes [um]
+
+  /// Values of a nodal vector at the nodes of an element, (component, a).
+  KOKKOS_INLINE_FUNCTION void gather(const NodeView& nodal, int i, int j, int k,
+                                     double value[3][Shape::nodes]) const {
+    for (int a = 0; a < Shape::nodes; ++a) {
+      const int node = node_of(i, j, k, a);
+      for (int c = 0; c < 3; ++c) value[c][a] = nodal(node, c);
+    }
+  }
+
+  /// Touched-node number of local node a of an element.
+  KOKKOS_INLINE_FUNCTION int node_of(int i, int j, int k, int a) const {
+    constexpr int w = Shape::width;
+    return box.node(i + Shape::first + a % w, j + Shape::first + a / w % w,
+                    k + Shape::first + a / (w * w));
+  }
+
+  /// Calls visit(ParticlePoint) for each particle of element (i, j, k); counts in `bad` those that the
+  /// displacement turns inside out (det F <= 0, or not a number).
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void for_each_particle(int i, int j, int k, std::int64_t& bad,
+                                                const Visit& visit) const {
+    const int element = box.element(i, j, k);
+    const int begin = particles.element_begin(element);
+    const int end = particles.element_begin(element + 1);
+    if (begin == end) return;
+    double u[3][Shape::nodes];
+    gather(displacement, i, j, k, u);
+    const int index[3] = {i, j, k};
+    ParticlePoint<Shape> point;
+    for (int p = begin; p < end; ++p) {
+      point.p = p;
+      point.volume = particles.volume(p);
+      double xi[3];
+      for (int d = 0; d < 3; ++d)
+        xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
+      double base_gradient[3][Shape::nodes];
+      Shape::evaluate(xi, box.inverse_spacing, point.value, base_gradient);
+
+      Tensor3 G;  // f - I
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d) {
+          double sum = 0.0;
+          for (int a = 0; a < Shape::nodes; ++a) sum += u[c][a] * base_gradient[d][a];
+          G(c, d) = sum;
+        }
+      point.H = G;
+      if (particles.base_gradient.extent(0) != 0) {
+        Tensor3 base;
+        for (int c = 0; c < 3; ++c)
+          for (int d = 0; d < 3; ++d) base(c, d) = particles.base_gradient(p, c, d);
+        point.H = base + G + G * base;
+      }
+      if (!(1.0 + tensor::det_minus_one(point.H) > 0.0)) ++bad;
+
+      const Tensor3 f_inverse = tensor::inverse(tensor::identity() + G);
+      for (int d = 0; d < 3; ++d)
+        for (int a = 0; a < Shape::nodes; ++a)
+          point.gradient[d][a] = f_inverse(0, d) * base_gradient[0][a] +
+                                 f_inverse(1, d) * base_gradient[1][a] +
+                                 f_inverse(2, d) * base_gradient[2][a];
+      visit(point);
+    }
+  }
+};
+
+}  // namespace stroma::transfer

@@ -1,0 +1,55 @@
+#pragma once
+
+/// \file
+/// Grid to particles: displacement, stress and energy of each particle at the current configuration.
+
+#include "transfer/ElementParticles.hpp"
+
+namespace stroma::transfer {
+
+/// Results at the particles of a rank, by local number.
+template <class Device>
+struct ParticleFields {
+  Kokkos::View<double* [3], Kokkos::LayoutRight, Device> displacement;  ///< u, from the undeformed body [um]
+  Kokkos::View<double* [6], Kokkos::LayoutRight, Device> stress;  ///< Cauchy, xx yy zz xy yz zx [Pa]
+  Kokkos::View<double*, Device> jacobian;                         ///< J [-]
+  Kokkos::View<double*, Device> energy;                           ///< W, per reference volume [Pa]
+
+  explicit ParticleFields(int count)
+      : displacement(Kokkos::view_alloc("displacement", Kokkos::WithoutInitializing), count),
+        stress(Kokkos::view_alloc("stress", Kokkos::WithoutInitializing), count),
+        jacobian(Kokkos::view_alloc("jacobian", Kokkos::WithoutInitializing), count),
+        energy(Kokkos::view_alloc("energy", Kokkos::WithoutInitializing), count) {}
+};
+
+/// Fills ParticleFields: u_p = u_base + sum_I N_I U_I, and the law at H. Each particle is written by its
+/// own element alone: nothing is atomic.
+template <class Shape, class Law, class Device>
+struct GridToParticles {
+  ElementParticles<Shape, Device> elements;
+  Kokkos::View<const Law*, Device> law;
+  ParticleFields<Device> fields;
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    double u[3][Shape::nodes];
+    elements.gather(elements.displacement, i, j, k, u);
+    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      const int p = point.p;
+      const bool has_base = elements.particles.base_displacement.extent(0) != 0;
+      for (int c = 0; c < 3; ++c) {
+        double sum = has_base ? elements.particles.base_displacement(p, c) : 0.0;
+        for (int a = 0; a < Shape::nodes; ++a) sum += point.value[a] * u[c][a];
+        fields.displacement(p, c) = sum;
+      }
+      const Law& material = law(elements.particles.material(p));
+      const Tensor3 sigma = material.cauchy_stress(point.H);
+      const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
+                                    sigma(0, 1), sigma(1, 2), sigma(2, 0)};
+      for (int c = 0; c < 6; ++c) fields.stress(p, c) = components[c];
+      fields.jacobian(p) = 1.0 + tensor::det_minus_one(point.H);
+      fields.energy(p) = material.energy(point.H);
+    });
+  }
+};
+
+}  // namespace stroma::transfer
