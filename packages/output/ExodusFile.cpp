@@ -3,6 +3,8 @@
 #include <exodusII.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <sstream>
@@ -21,8 +23,8 @@ std::string reason_of_library() {
   int code = 0;
   ex_get_err(&message, &function, &code);
   std::string reason = (message != nullptr) ? message : "";
-  const auto last = reason.find_last_not_of(" \n\t.");
-  reason.resize(last == std::string::npos ? 0 : last + 1);
+  reason = reason.substr(0, reason.find('\n'));  // further lines are guesses
+  if (reason.rfind("Error: ", 0) == 0) reason.erase(0, 7);
   return reason.empty() ? base::format("Exodus error %d", code) : reason;
 }
 
@@ -65,6 +67,11 @@ std::vector<std::int64_t> all_but(const std::vector<std::int64_t>& left_out, std
 ExodusFile ExodusFile::create(const std::string& path, Precision precision,
                               std::size_t longest_name) {
   ex_opts(0);  // the library shall not print
+  // The library does not tell why it cannot create a file; the operating system does.
+  std::FILE* trial = std::fopen(path.c_str(), "ab");
+  if (trial == nullptr)
+    throw base::RunError("cannot create '" + path + "': " + std::strerror(errno));
+  std::fclose(trial);
   int memory_bytes = 8;
   int file_bytes = (precision == Precision::Double) ? 8 : 4;
   const int id =

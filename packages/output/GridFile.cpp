@@ -301,7 +301,7 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
     file.check(ex_put_block(id, EX_ELEM_BLOCK, 1, "HEX8", elements, 8, 0, 0, 0), "the elements");
     file.check(ex_put_name(id, EX_ELEM_BLOCK, 1, "grid"), "the block's name");
     put_elements(file, part, box, local_number);
-    file.put_variable_names(EX_NODAL, nodal_variables);
+    if (used_count_ > 0) file.put_variable_names(EX_NODAL, nodal_variables);
     file.close();
   });
 }

@@ -171,7 +171,7 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
       before += counts[m];
     }
     file.put_variable_names(EX_GLOBAL, global_variables);
-    file.put_variable_names(EX_NODAL, nodal_variables);
+    if (count_ > 0) file.put_variable_names(EX_NODAL, nodal_variables);
     file.put_variable_names(EX_ELEM_BLOCK, element_variables);
     file.close();
   });

@@ -1,0 +1,111 @@
+#include "output/Gnuplot.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "base/Log.hpp"
+
+extern char** environ;
+
+namespace stroma::output {
+namespace {
+
+/// The first line that tells something in what gnuplot printed.
+std::string first_complaint(const std::string& path) {
+  std::ifstream stream(path);
+  for (std::string line; std::getline(stream, line);) {
+    const auto start = line.find_first_not_of(" \t^\r");
+    if (start != std::string::npos && line.find("line ") != std::string::npos)
+      return line.substr(start);
+  }
+  return "gnuplot failed";
+}
+
+}  // namespace
+
+std::string gnuplot_quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'')
+      quoted += "''";
+    else if (c == '\n' || c == '\r')
+      quoted += ' ';
+    else
+      quoted += c;
+  }
+  return quoted + "'";
+}
+
+std::string gnuplot_head(const std::string& name, int width, int height, const std::string& title) {
+  const auto line_break = title.find('\n');
+  const std::string first = title.substr(0, line_break);
+  const std::string rest = line_break == std::string::npos ? "" : title.substr(line_break + 1);
+  std::string script;
+  script += "# Draws ../" + name + ".png. Change it and run: gnuplot " + name + ".gp\n";
+  script += base::format(
+      "set terminal pngcairo noenhanced size %d,%d font 'Sans,14' background '#ffffff'\n", width,
+      height);
+  script += "set encoding utf8\nset output '../" + name + ".png'\n";
+  script += "set tmargin 5\n";
+  script += "set label 1 " + gnuplot_quoted(first) +
+            " at graph 0.5, graph 1 center offset 0, 2.9 font 'Sans:Bold,16'\n";
+  script += "set label 2 " + gnuplot_quoted(rest) +
+            " at graph 0.5, graph 1 center offset 0, 1.3 font 'Sans,13' tc rgb '#444444'\n";
+  script += "set border lw 1 lc rgb '#444444'\nset tics out nomirror tc rgb '#222222'\n";
+  return script;
+}
+
+std::string viridis_palette() {
+  const char* colours[] = {"#440154", "#481567", "#482677", "#453781", "#404788",
+                           "#39568c", "#33638d", "#2d708e", "#287d8e", "#238a8d",
+                           "#1f968b", "#20a387", "#29af7f", "#3cbb75", "#55c667",
+                           "#73d055", "#95d840", "#b8de29", "#dce319", "#fde725"};
+  std::string script = "set palette defined (";
+  for (std::size_t i = 0; i < std::size(colours); ++i) {
+    script += base::format("%s%zu '%s'", i == 0 ? "" : ", ", i, colours[i]);
+  }
+  return script + ")\n";
+}
+
+std::string run_gnuplot(const std::string& folder, const std::string& script) {
+  const std::string printed = folder + "/.gnuplot_output";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, printed.c_str(),
+                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  std::string program = "gnuplot", argument = script;
+  char* arguments[] = {program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+
+  std::string failure;
+  if (code != 0) {
+    failure = (code == ENOENT) ? "gnuplot is not installed"
+                               : "gnuplot cannot be run (" + std::string(std::strerror(code)) + ")";
+  } else {
+    int status = 0;
+    pid_t ended = 0;
+    do {
+      ended = waitpid(child, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    const bool succeeded = ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (!succeeded) failure = first_complaint(printed);
+  }
+  std::error_code ignored;
+  std::filesystem::remove(printed, ignored);
+  return failure;
+}
+
+}  // namespace stroma::output

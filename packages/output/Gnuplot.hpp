@@ -1,0 +1,25 @@
+#pragma once
+
+/// \file
+/// gnuplot as a child process, and the parts of a script that all pictures share.
+
+#include <string>
+
+namespace stroma::output {
+
+/// Terminal, fonts and title of a script that writes ../NAME.png, seen from the scripts' folder.
+/// \param title  a line break separates the first, bold line from the rest
+std::string gnuplot_head(const std::string& name, int width, int height, const std::string& title);
+
+/// Viridis, a perceptually uniform colour map that the colour-blind can read (van der Walt & Smith,
+/// matplotlib, public domain), by 20 of its colours.
+std::string viridis_palette();
+
+/// A text as a gnuplot string.
+std::string gnuplot_quoted(const std::string& text);
+
+/// Runs `gnuplot SCRIPT` in a folder and waits for it. Nothing reaches this process's output.
+/// \return  empty when it succeeded; else what went wrong, in one line
+std::string run_gnuplot(const std::string& folder, const std::string& script);
+
+}  // namespace stroma::output

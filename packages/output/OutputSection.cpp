@@ -1,0 +1,26 @@
+#include "output/OutputSection.hpp"
+
+namespace stroma::output {
+
+deck::Section<OutputParameters> output_section() {
+  deck::Section<OutputParameters> section("Output",
+                                          "What a run writes into its folder, and how often.");
+  section
+      .optional("Particles Every", &OutputParameters::particles_every, deck::at_least(0),
+                "Load steps between two writes of particles.e; 0: the last step only.")
+      .optional("Grid Every", &OutputParameters::grid_every, deck::at_least(0),
+                "Load steps between two writes of grid.e; 0: the last step only.")
+      .optional("Checkpoint Every", &OutputParameters::checkpoint_every, deck::at_least(0),
+                "Load steps between two checkpoints; 0: the last step only. This version writes "
+                "none yet.")
+      .choice(
+          "Precision", &OutputParameters::precision,
+          {{"Double", Precision::Double}, {"Single", Precision::Single}},
+          "Floating-point numbers in particles.e and grid.e: Double (8 bytes) or Single (4 bytes, "
+          "half the space).")
+      .optional("Pictures", &OutputParameters::pictures, deck::any(),
+                "Draw vessels.png, von_mises.png and force.png with gnuplot at the end.");
+  return section;
+}
+
+}  // namespace stroma::output

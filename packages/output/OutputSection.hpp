@@ -1,0 +1,28 @@
+#pragma once
+
+/// \file
+/// The deck section "Output".
+
+#include "deck/Section.hpp"
+#include "output/ExodusFile.hpp"
+
+namespace stroma::output {
+
+/// What is written, and how often. 0 steps between writes means: the last step only.
+struct OutputParameters {
+  int particles_every = 1;   ///< load steps between writes of particles.e
+  int grid_every = 1;        ///< load steps between writes of grid.e
+  int checkpoint_every = 1;  ///< load steps between checkpoints
+  Precision precision = Precision::Double;
+  bool pictures = true;
+};
+
+deck::Section<OutputParameters> output_section();
+
+/// Whether a step is to be written, when every n-th is. Step 0 is written as the others are: it is
+/// a multiple of every n, but not the last step.
+inline bool is_due(std::int64_t step, int every, bool last_step) {
+  return last_step || (every > 0 && step % every == 0);
+}
+
+}  // namespace stroma::output

@@ -1,0 +1,255 @@
+#include "output/Pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "base/Error.hpp"
+#include "base/Log.hpp"
+#include "output/Gnuplot.hpp"
+#include "output/SliceRaster.hpp"
+#include "tensor/Tensor3.hpp"
+
+namespace stroma::output {
+namespace {
+
+using base::format;
+
+constexpr const char* micrometre = "µm";
+
+/// Width and height of the layer at load 0, over all ranks.
+std::array<double, 2> extent_of(const base::Communicator& communicator,
+                                const ParticleSet& particles,
+                                const std::vector<std::int64_t>& layer) {
+  std::array<double, 2> extent{};
+  for (int d = 0; d < 2; ++d) {
+    double low = 1e300, high = -1e300;
+    for (const std::int64_t p : layer) {
+      low = std::min(low, particles.position[3 * p + d]);
+      high = std::max(high, particles.position[3 * p + d]);
+    }
+    extent[static_cast<std::size_t>(d)] =
+        std::max(0.0, communicator.max(high) - communicator.min(low));
+  }
+  return extent;
+}
+
+std::string bytes(const std::vector<float>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
+/// Size of a picture whose plot area is about 900 pixels long and true in aspect, with room for the
+/// title, the axes and the colour bar.
+std::array<int, 2> picture_size(const Raster& raster) {
+  const double width = raster.pixel[0] * raster.columns, height = raster.pixel[1] * raster.rows;
+  const double scale = 900.0 / std::max(width, height);
+  return {static_cast<int>(std::max(width * scale, 300.0)) + 330,
+          static_cast<int>(std::max(height * scale, 240.0)) + 190};
+}
+
+/// The part of a script that a raster's pictures share: size, title, axes, aspect.
+std::string raster_script(const Raster& raster, const std::string& name, const std::string& title) {
+  const auto size = picture_size(raster);
+  std::string script = gnuplot_head(name, size[0], size[1], title);
+  script += format("set xlabel 'x (%s)'\nset ylabel 'y (%s)'\nset size ratio -1\n", micrometre,
+                   micrometre);
+  const double left = raster.first[0] - 0.5 * raster.pixel[0];
+  const double bottom = raster.first[1] - 0.5 * raster.pixel[1];
+  script += format("set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n", left,
+                   left + raster.columns * raster.pixel[0], bottom,
+                   bottom + raster.rows * raster.pixel[1]);
+  return script;
+}
+
+/// The plot command of a raster in NAME.raw: 32-bit floats, x fastest from the lower left; NaN:
+/// empty.
+std::string raster_plot(const Raster& raster, const std::string& name) {
+  return format(
+      "# %s.raw: %d x %d pixels, 32-bit floats of this machine's byte order, x fastest, from the "
+      "lower\n"
+      "# left; NaN where there is no particle.\n"
+      "plot '%s.raw' binary array=(%d,%d) format='%%float' origin=(%.10g,%.10g) dx=%.10g dy=%.10g "
+      "with image notitle\n",
+      name.c_str(), raster.columns, raster.rows, name.c_str(), raster.columns, raster.rows,
+      raster.first[0], raster.first[1], raster.pixel[0], raster.pixel[1]);
+}
+
+/// Upper end of the colour scale: the largest value, unless less than 0.5 % of the pixels lie above
+/// two thirds of it.
+double upper_end(std::vector<float> values) {
+  values.erase(
+      std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }),
+      values.end());
+  if (values.empty()) return 1.0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.995 * (values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  const double common = *place;
+  const double largest = *std::max_element(place, values.end());
+  if (largest <= 0.0) return 1.0;
+  return (common > 0.0 && largest > 1.5 * common) ? common : largest;
+}
+
+struct Unit {
+  const char* name;
+  double size;  ///< [pN]
+};
+
+Unit force_unit(double largest) {
+  if (largest >= 1e6) return {"µN", 1e6};
+  if (largest >= 1e3) return {"nN", 1e3};
+  return {"pN", 1.0};
+}
+
+/// Material colours: a pale first one for what surrounds, then ones that the colour-blind can tell.
+const std::vector<std::string> material_colours = {"#f2e6d0", "#b2182b", "#2166ac", "#e69f00",
+                                                   "#009e73", "#7b3294", "#56b4e9", "#4d4d4d"};
+
+}  // namespace
+
+Pictures::Pictures(const base::Communicator& communicator, std::string folder, std::string title,
+                   std::array<double, 3> spacing)
+    : communicator_(communicator),
+      folder_(std::move(folder)),
+      title_(std::move(title)),
+      spacing_(spacing) {}
+
+std::string Pictures::draw_materials(const ParticleSet& particles,
+                                     const std::vector<std::string>& materials) const {
+  double z = 0.0;
+  const auto layer = middle_layer(communicator_, particles, spacing_[2], &z);
+  std::vector<SlicePoint> points;
+  for (const std::int64_t p : layer) {
+    points.push_back({{particles.position[3 * p], particles.position[3 * p + 1]},
+                      static_cast<double>(particles.material[p])});
+  }
+  const Raster raster = rasterise(communicator_, points, extent_of(communicator_, particles, layer),
+                                  {spacing_[0], spacing_[1]}, Merge::Majority);
+  if (raster.columns == 0) return "vessels.png was not drawn: there are no particles";
+  if (!communicator_.is_root()) return draw("vessels", "", "raw", "");
+
+  const std::size_t count = materials.size();
+  std::string script =
+      raster_script(raster, "vessels", title_ + format("\nmaterials at z = %.4g ", z) + micrometre);
+  script += "set palette defined (";
+  std::string names;
+  for (std::size_t m = 0; m < count; ++m) {
+    const std::string& colour = material_colours[m % material_colours.size()];
+    script += format("%s%zu '%s', %zu '%s'", m == 0 ? "" : ", ", m, colour.c_str(), m + 1,
+                     colour.c_str());
+    names += format("%s%s %zu", m == 0 ? "" : ", ", gnuplot_quoted(materials[m]).c_str(), m);
+  }
+  script += format(")\nset palette maxcolors %zu\nset cbrange [-0.5:%zu-0.5]\n", count, count);
+  script += "set cbtics scale 0 (" + names + ")\n";
+  script += raster_plot(raster, "vessels");
+  return draw("vessels", bytes(raster.value), "raw", script);
+}
+
+std::string Pictures::draw_von_mises(const ParticleSet& particles, const ParticleState& state,
+                                     double load) const {
+  double z = 0.0;
+  const auto layer = middle_layer(communicator_, particles, spacing_[2], &z);
+  std::vector<SlicePoint> points;
+  for (const std::int64_t p : layer) {
+    const double* s = state.stress + 6 * p;
+    const tensor::Tensor3 stress{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
+    points.push_back({{particles.position[3 * p] + state.displacement[3 * p],
+                       particles.position[3 * p + 1] + state.displacement[3 * p + 1]},
+                      tensor::von_mises(stress)});
+  }
+  const Raster raster = rasterise(communicator_, points, extent_of(communicator_, particles, layer),
+                                  {spacing_[0], spacing_[1]}, Merge::Mean);
+  if (raster.columns == 0) return "von_mises.png was not drawn: there are no particles";
+  if (!communicator_.is_root()) return draw("von_mises", "", "raw", "");
+
+  std::string script = raster_script(
+      raster, "von_mises",
+      title_ + format("\nvon Mises stress, load factor %.4g, layer z = %.4g ", load, z) +
+          micrometre);
+  script += viridis_palette();
+  script += "set cblabel 'von Mises stress (Pa)' offset 1\n";
+  script += format("set cbrange [0:%.4g]\n", upper_end(raster.value));
+  script += raster_plot(raster, "von_mises");
+  return draw("von_mises", bytes(raster.value), "raw", script);
+}
+
+std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
+                                 const std::vector<HistoryRow>& history) const {
+  if (supports.empty()) return "force.png was not drawn: no boundary condition moves";
+  const bool by_strain =
+      std::all_of(supports.begin(), supports.end(),
+                  [](const MovingSupport& support) { return support.strain != 0.0; });
+  const auto size = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
+
+  std::string data = "# load";
+  for (const MovingSupport& support : supports) {
+    data += format("\t%s: %s\t%s: force [pN]", support.name.c_str(),
+                   by_strain ? "strain" : "displacement [um]", support.name.c_str());
+  }
+  data += "\n";
+  double largest = 0.0;
+  for (const HistoryRow& row : history) {
+    data += format("%.10g", row.load);
+    for (const MovingSupport& support : supports) {
+      const auto& reaction = row.reactions.at(support.index);
+      double force = 0.0;
+      for (std::size_t d = 0; d < 3; ++d) {
+        force += reaction[d] * support.displacement[d] / size(support.displacement);
+      }
+      largest = std::max(largest, std::abs(force));
+      data += format("\t%.10g\t%.10g",
+                     row.load * (by_strain ? support.strain : size(support.displacement)), force);
+    }
+    data += "\n";
+  }
+
+  const Unit unit = force_unit(largest);
+  std::string script =
+      gnuplot_head("force", 1000, 700, title_ + "\nreaction along the displacement");
+  script +=
+      format("set xlabel '%s'\nset ylabel 'force (%s)'\n",
+             by_strain ? "strain (%)" : ("displacement (" + std::string(micrometre) + ")").c_str(),
+             unit.name);
+  script += "set grid lc rgb '#dddddd' lt 1 lw 1\nset key top left reverse Left\n";
+  script += "set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.02\nplot ";
+  const char* colours[] = {"#31688e", "#b2182b", "#35b779", "#e69f00", "#440154", "#4d4d4d"};
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    script += format(
+        "%s'force.dat' using ($%zu*%g):($%zu/%g) with linespoints lw 2.5 pt 7 ps 1.1 lc rgb '%s' "
+        "title %s",
+        i == 0 ? "" : ", \\\n     ", 2 * i + 2, by_strain ? 100.0 : 1.0, 2 * i + 3, unit.size,
+        colours[i % 6], gnuplot_quoted(supports[i].name).c_str());
+  }
+  return draw("force", data, "dat", script + "\n");
+}
+
+std::string Pictures::draw(const std::string& name, const std::string& data,
+                           const std::string& data_ending, const std::string& script) const {
+  std::string note;
+  if (communicator_.is_root()) {
+    const std::string folder = folder_ + "/pictures";
+    std::error_code reason;
+    std::filesystem::create_directories(folder, reason);
+    const auto written = [&](const std::string& file, const std::string& content) {
+      std::ofstream stream(folder + "/" + file, std::ios::binary);
+      stream << content;
+      stream.close();
+      return !stream.fail();
+    };
+    if (!written(name + "." + data_ending, data) || !written(name + ".gp", script)) {
+      note = name + ".png was not drawn: cannot write into '" + folder + "'";
+    } else {
+      const std::string failure = run_gnuplot(folder, name + ".gp");
+      if (!failure.empty()) {
+        note = name + ".png was not drawn: " + failure + "; " + folder + "/" + name +
+               ".gp draws it where gnuplot with pngcairo is at hand";
+      }
+    }
+  }
+  communicator_.broadcast(note);
+  return note;
+}
+
+}  // namespace stroma::output
