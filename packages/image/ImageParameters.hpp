@@ -18,8 +18,8 @@ struct SegmentationParameters {
   enum class Method { threshold, otsu, labels };
   Method method = Method::otsu;
   std::optional<double>
-      threshold;           ///< label 1 where intensity > threshold (Method::threshold only)
-  double smoothing = 0.0;  ///< standard deviation of a Gaussian [um]; 0: none
+      threshold;            ///< label 1 where intensity > threshold (Method::threshold only)
+  double smoothing = 0.0;   ///< standard deviation of a Gaussian [um]; 0: none
   int smallest_object = 0;  ///< voxels, 26-connected; smaller objects become label 0
 };
 

@@ -1,0 +1,193 @@
+#include "image/ImageSource.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "base/Error.hpp"
+#include "base/Log.hpp"
+
+namespace stroma::image {
+namespace {
+
+enum class Format { tiff, pic, hdf5, itk };
+
+bool begins_with(const std::string& head, const std::string& magic) {
+  return head.compare(0, magic.size(), magic) == 0;
+}
+
+bool is_nifti(const std::string& head) {
+  const auto has = [&](std::size_t at, const std::string& magic) {
+    return head.size() >= at + magic.size() && head.compare(at, magic.size(), magic) == 0;
+  };
+  return has(344, "n+1") || has(344, "ni1") || has(4, "n+2") || has(4, "ni2");
+}
+
+/// The first bytes of a file, after the questions that come before its format.
+std::string first_bytes(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code trouble;
+  const fs::file_status status = fs::status(path, trouble);
+  if (!fs::exists(status)) refuse(path, "no such file");
+  if (fs::is_directory(status)) refuse(path, "is a folder; admissible: an image file");
+  if (!fs::is_regular_file(status)) refuse(path, "is not a regular file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse(path, "cannot be opened for reading");
+  std::string head(1024, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (head.empty()) refuse(path, "is empty (0 bytes)");
+  return head;
+}
+
+Format format_of(const std::string& path) {
+  const std::string head = first_bytes(path);
+  const bool tiff_order = begins_with(head, "II") || begins_with(head, "MM");
+  if (tiff_order && head.size() >= 4 && (head[2] + head[3] == 42 || head[2] + head[3] == 43))
+    return Format::tiff;  // 42: classic, 43: BigTIFF
+  if (begins_with(head, "\x89HDF\r\n\x1a\n")) return Format::hdf5;
+  if (begins_with(head, "NRRD") || is_nifti(head)) return Format::itk;
+  if (head.find("ObjectType") != std::string::npos || head.find("NDims") != std::string::npos)
+    return Format::itk;
+  const std::string name = std::filesystem::path(path).filename().string();
+  const bool gzip = begins_with(head, "\x1f\x8b");
+  if (gzip && name.size() > 7 && name.compare(name.size() - 7, 7, ".nii.gz") == 0)
+    return Format::itk;
+  if (head.size() >= 56 && head[54] == '\x39' && head[55] == '\x30') return Format::pic;
+  refuse(path,
+         "is in no format known here (judged by its first bytes); admissible: TIFF, Bio-Rad PIC, "
+         "NRRD, MetaImage, NIfTI, HDF5");
+}
+
+template <class T>
+void decode_as(const unsigned char* bytes, bool swapped, std::int64_t count, std::int64_t stride,
+               double* values) {
+  for (std::int64_t i = 0; i < count; ++i) {
+    unsigned char one[sizeof(T)];
+    std::memcpy(one, bytes + static_cast<std::size_t>(i * stride) * sizeof(T), sizeof(T));
+    if (swapped) std::reverse(one, one + sizeof(T));
+    T value;
+    std::memcpy(&value, one, sizeof(T));
+    values[i] = static_cast<double>(value);
+  }
+}
+
+}  // namespace
+
+void refuse(const std::string& path, const std::string& what) {
+  throw base::InputError(path + ": " + what);
+}
+
+void check_size(const std::string& path, const std::array<std::int64_t, 3>& size,
+                std::int64_t values_per_voxel, int bytes_per_value, std::uint64_t file_length,
+                double expansion) {
+  const std::string claim =
+      base::format("%lld x %lld x %lld voxels", static_cast<long long>(size[0]),
+                   static_cast<long long>(size[1]), static_cast<long long>(size[2]));
+  if (*std::min_element(size.begin(), size.end()) < 1)
+    refuse(path, "says that it holds " + claim + "; admissible: at least 1 x 1 x 1");
+  const double needed = static_cast<double>(size[0]) * static_cast<double>(size[1]) *
+                        static_cast<double>(size[2]) * static_cast<double>(values_per_voxel) *
+                        bytes_per_value;
+  if (needed > expansion * static_cast<double>(file_length)) {
+    refuse(path,
+           "says that it holds " + claim +
+               base::format(
+                   ", which take %.0f bytes; its %llu bytes cannot hold them (broken or truncated)",
+                   needed, static_cast<unsigned long long>(file_length)));
+  }
+}
+
+void check_channel(const std::string& path, std::int64_t channel, std::int64_t channels) {
+  if (channel >= 0 && channel < channels) return;
+  refuse(path, base::format("has no channel %lld (Image|Channel); admissible: 0 to %lld",
+                            static_cast<long long>(channel), static_cast<long long>(channels - 1)));
+}
+
+void decode(const unsigned char* bytes, const ValueType& type, bool swapped, std::int64_t count,
+            std::int64_t stride, double* values) {
+  const auto as = [&](auto example) {
+    decode_as<decltype(example)>(bytes, swapped, count, stride, values);
+  };
+  using Kind = ValueType::Kind;
+  if (type.kind == Kind::floating) return type.bytes == 4 ? as(float{}) : as(double{});
+  const bool has_sign = type.kind == Kind::signed_integer;
+  switch (type.bytes) {
+    case 1:
+      return has_sign ? as(std::int8_t{}) : as(std::uint8_t{});
+    case 2:
+      return has_sign ? as(std::int16_t{}) : as(std::uint16_t{});
+    case 4:
+      return has_sign ? as(std::int32_t{}) : as(std::uint32_t{});
+    default:
+      return has_sign ? as(std::int64_t{}) : as(std::uint64_t{});
+  }
+}
+
+void read_raw(const std::string& path, std::uint64_t offset, const ValueType& type, bool swapped,
+              const std::array<std::int64_t, 3>& size, const Box& box, double* values) {
+  std::ifstream file(path, std::ios::binary);
+  const std::int64_t row_bytes = size[0] * type.bytes;
+  std::vector<unsigned char> rows(static_cast<std::size_t>(row_bytes * box.count[1]));
+  for (std::int64_t k = 0; k < box.count[2]; ++k) {
+    const std::int64_t row = (box.first[2] + k) * size[1] + box.first[1];
+    file.seekg(static_cast<std::streamoff>(offset + static_cast<std::uint64_t>(row * row_bytes)));
+    file.read(reinterpret_cast<char*>(rows.data()), static_cast<std::streamsize>(rows.size()));
+    if (!file) {
+      refuse(path, base::format("ends in the middle of plane %lld (truncated)",
+                                static_cast<long long>(box.first[2] + k)));
+    }
+    for (std::int64_t j = 0; j < box.count[1]; ++j) {
+      decode(rows.data() + j * row_bytes + box.first[0] * type.bytes, type, swapped, box.count[0],
+             1, values + (k * box.count[1] + j) * box.count[0]);
+    }
+  }
+}
+
+std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
+                                        const ImageRequest& request) {
+  int format = 0;
+  std::unique_ptr<ImageSource> source;
+  const base::Communicator alone = base::Communicator::self();
+  const auto open = [&] {
+    switch (static_cast<Format>(format)) {
+      case Format::tiff:
+        source = open_tiff(request);
+        break;
+      case Format::pic:
+        source = open_pic(request);
+        break;
+      case Format::hdf5:
+        source = open_hdf5(alone, request);
+        break;
+      case Format::itk:
+        source = open_with_itk(request);
+        break;
+    }
+  };
+  // Rank 0 looks first, so that what is wrong with a file is said once and the others never touch
+  // it.
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
+    format = static_cast<int>(format_of(request.path));
+    if (!request.dataset.empty() && static_cast<Format>(format) != Format::hdf5)
+      refuse(request.path,
+             "is not an HDF5 file, so Image|Dataset \"" + request.dataset + "\" has no meaning");
+    open();
+  });
+  if (communicator.size() == 1) return source;
+  communicator.broadcast(format);
+  base::collectively(communicator, [&] {
+    if (static_cast<Format>(format) == Format::hdf5) {
+      source.reset();
+      source = open_hdf5(communicator, request);
+    } else if (!communicator.is_root()) {
+      open();
+    }
+  });
+  return source;
+}
+
+}  // namespace stroma::image

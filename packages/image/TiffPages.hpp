@@ -1,0 +1,97 @@
+#pragma once
+
+/// \file
+/// The pages of a TIFF file, one by one, before anyone knows how they stack up to a volume.
+
+#include <tiffio.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "image/ImageSummary.hpp"
+
+namespace stroma::image {
+
+/// Keeps libtiff's messages off standard error while it lives, and the last error for ours.
+class TiffMessages {
+ public:
+  TiffMessages();
+  ~TiffMessages();
+  TiffMessages(const TiffMessages&) = delete;
+  TiffMessages& operator=(const TiffMessages&) = delete;
+  /// ": REASON", or nothing.
+  static std::string reason();
+
+ private:
+  TIFFErrorHandler error_;
+  TIFFErrorHandler warning_;
+};
+
+/// One page: the values lie in strips or tiles.
+struct TiffPage {
+  std::uint64_t offset = 0;  ///< of its directory
+  std::int64_t width = 0, height = 0;
+  std::int64_t samples = 1;    ///< values per pixel
+  bool samples_apart = false;  ///< each sample has planes of its own
+  bool tiled = false;
+  int compression = 1;
+  int photometric = 1;
+  ValueType type;
+  std::string trouble;  ///< why it cannot be read here; empty: it can
+};
+
+/// What the first page says of the whole file.
+struct TiffTags {
+  std::string description;
+  std::optional<double> pixels_per_unit_x, pixels_per_unit_y;  ///< resolution tags, exact
+  std::optional<double> quantum_x,
+      quantum_y;  ///< where the tag is a decimal rounded by its writer: its step
+  int resolution_unit = RESUNIT_INCH;  ///< RESUNIT_NONE, RESUNIT_INCH or RESUNIT_CENTIMETER
+};
+
+/// An open TIFF file.
+class TiffPages {
+ public:
+  /// \throws base::InputError when libtiff cannot make sense of it
+  explicit TiffPages(const std::string& path);
+
+  const std::vector<TiffPage>& pages() const { return pages_; }
+  const TiffTags& tags() const { return tags_; }
+  std::uint64_t file_length() const { return length_; }
+  bool is_swapped() const { return swapped_; }
+
+  /// \throws base::InputError when strips or tiles of the page lie beyond the end of the file
+  void check_extent(std::size_t page);
+  /// Where the values of an uncompressed page in one piece start; nothing when it is in several
+  /// pieces.
+  std::optional<std::uint64_t> start_of_values(std::size_t page);
+  /// Rows [first_row, first_row + rows), columns [first_column, ...) of one sample of a page.
+  /// \throws base::InputError when they cannot be decoded
+  void read(std::size_t page, std::int64_t sample, std::int64_t first_column, std::int64_t columns,
+            std::int64_t first_row, std::int64_t rows, double* values);
+
+ private:
+  struct Close {
+    void operator()(TIFF* file) const { TIFFClose(file); }
+  };
+
+  void read_directories();
+  void read_tags();
+  TiffPage describe_page();
+  std::pair<std::uint32_t, std::uint32_t> rational(std::uint64_t directory,
+                                                   std::uint16_t tag) const;
+  void go_to(std::size_t page);
+
+  std::string path_;
+  std::uint64_t length_ = 0;
+  bool swapped_ = false;
+  std::unique_ptr<TIFF, Close> file_;
+  std::vector<TiffPage> pages_;
+  TiffTags tags_;
+};
+
+}  // namespace stroma::image

@@ -1,0 +1,30 @@
+#pragma once
+
+/// \file
+/// `stroma image`: what is in an image.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "base/Communicator.hpp"
+#include "base/Log.hpp"
+
+namespace stroma {
+
+/// The options of `stroma image`.
+struct ImageOptions {
+  std::string file;
+  std::string dataset;                              ///< --dataset, HDF5 only; empty: the only one
+  int channel = 0;                                  ///< --channel
+  std::optional<std::array<double, 3>> voxel_size;  ///< --voxel [um]
+};
+
+/// Prints size, voxel size and where it was found, type, channels, intensity histogram, mean and
+/// the like, Otsu's threshold, the fraction above it, and the connected objects there. Collective.
+/// \returns the exit status 0
+/// \throws base::InputError when the image cannot be read
+int image_command(const base::Communicator& communicator, const ImageOptions& options,
+                  base::Log& log);
+
+}  // namespace stroma
