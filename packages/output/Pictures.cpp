@@ -77,19 +77,24 @@ std::string raster_plot(const Raster& raster, const std::string& name) {
       raster.first[0], raster.first[1], raster.pixel[0], raster.pixel[1]);
 }
 
-/// Upper end of the colour scale: the largest value, unless less than 0.5 % of the pixels lie above
-/// two thirds of it.
-double upper_end(std::vector<float> values) {
+struct ColourScale {
+  double end = 1.0;      ///< its upper end
+  double largest = 0.0;  ///< of the values; above the end when rare peaks are cut off
+};
+
+/// The scale ends at the largest value, unless less than 0.5 % of the pixels lie above two thirds
+/// of it.
+ColourScale colour_scale(std::vector<float> values) {
   values.erase(
       std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }),
       values.end());
-  if (values.empty()) return 1.0;
+  if (values.empty()) return {};
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.995 * (values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   const double common = *place;
   const double largest = *std::max_element(place, values.end());
-  if (largest <= 0.0) return 1.0;
-  return (common > 0.0 && largest > 1.5 * common) ? common : largest;
+  if (largest <= 0.0) return {};
+  return {(common > 0.0 && largest > 1.5 * common) ? common : largest, largest};
 }
 
 struct Unit {
@@ -164,13 +169,14 @@ std::string Pictures::draw_von_mises(const ParticleSet& particles, const Particl
   if (raster.columns == 0) return "von_mises.png was not drawn: there are no particles";
   if (!communicator_.is_root()) return draw("von_mises", "", "raw", "");
 
-  std::string script = raster_script(
-      raster, "von_mises",
-      title_ + format("\nvon Mises stress, load factor %.4g, layer z = %.4g ", load, z) +
-          micrometre);
+  const ColourScale scale = colour_scale(raster.value);
+  std::string subtitle =
+      format("\nvon Mises stress, load factor %.4g, layer z = %.4g ", load, z) + micrometre;
+  if (scale.largest > scale.end) subtitle += format(", largest %.3g Pa", scale.largest);
+  std::string script = raster_script(raster, "von_mises", title_ + subtitle);
   script += viridis_palette();
   script += "set cblabel 'von Mises stress (Pa)' offset 1\n";
-  script += format("set cbrange [0:%.4g]\n", upper_end(raster.value));
+  script += format("set cbrange [0:%.4g]\n", scale.end);
   script += raster_plot(raster, "von_mises");
   return draw("von_mises", bytes(raster.value), "raw", script);
 }
@@ -213,7 +219,7 @@ std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
              by_strain ? "strain (%)" : ("displacement (" + std::string(micrometre) + ")").c_str(),
              unit.name);
   script += "set grid lc rgb '#dddddd' lt 1 lw 1\nset key top left reverse Left\n";
-  script += "set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.02\nplot ";
+  script += "set offsets 0, 0, graph 0.05, 0\nplot ";
   const char* colours[] = {"#31688e", "#b2182b", "#35b779", "#e69f00", "#440154", "#4d4d4d"};
   for (std::size_t i = 0; i < supports.size(); ++i) {
     script += format(

@@ -36,7 +36,7 @@ KOKKOS_INLINE_FUNCTION PrincipalValues principal_values(Tensor3 a) {
                            2.0 * (a(0, 1) * a(0, 1) + a(0, 2) * a(0, 2) + a(1, 2) * a(1, 2)));
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     const double beside = fabs(a(0, 1)) + fabs(a(0, 2)) + fabs(a(1, 2));
-    if (!(beside > 0.1 * eps * size)) break;
+    if (beside <= 0.1 * eps * size) break;  // a NaN goes on and spreads
     for (int p = 0; p < 2; ++p) {
       for (int q = p + 1; q < 3; ++q) {
         if (a(p, q) == 0.0) continue;
