@@ -68,7 +68,7 @@ std::string content_of(const std::string& path) {
   };
   std::error_code failure;
   const fs::file_status status = fs::status(path, failure);
-  if (!fs::exists(status)) throw cannot_read(failure ? failure.message() : "no such file");
+  if (!fs::exists(status)) throw cannot_read(failure.message());
   if (fs::is_directory(status)) throw cannot_read("it is a folder");
   constexpr std::uintmax_t largest_deck = 16u << 20;  // bytes; an image given by mistake is larger
   const std::uintmax_t size = fs::file_size(path, failure);

@@ -68,6 +68,7 @@ class XmlReader {
   }
 
   void start(const std::string& element, const XML_Char** raw) {
+    if (!stopped_because_.empty()) return;  // expat ends the event it is in: <a/> has two calls
     Attributes attributes;
     if (!elements_.empty()) report_stray_text();
     for (; *raw != nullptr; raw += 2) attributes.emplace_back(raw[0], raw[1]);
@@ -102,6 +103,7 @@ class XmlReader {
   }
 
   void end() {
+    if (!stopped_because_.empty()) return;
     report_stray_text();
     if (elements_.back() == Element::list) lists_.pop_back();
     elements_.pop_back();
@@ -134,7 +136,7 @@ class XmlReader {
         list.name = value;
         has_name = true;
       } else if (key != "id") {
-        unknown_attribute(key, "ParameterList", {"name"});
+        unknown_attribute(key, lists_.empty() ? "" : list.name, {"name"});
       }
     }
     elements_.push_back(Element::list);
@@ -193,8 +195,7 @@ class XmlReader {
 
   void unknown_attribute(const std::string& key, const std::string& owner,
                          const std::vector<std::string>& known) {
-    add(owner == "ParameterList" ? "" : owner,
-        "no such XML attribute: " + key + "; " + suggestion(key, known));
+    add(owner, "no such XML attribute: " + key + "; " + suggestion(key, known));
   }
 
   static constexpr const char* blanks = " \t\r\n";

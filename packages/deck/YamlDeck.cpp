@@ -37,6 +37,7 @@ class YamlReader : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
                 const std::string& value) override {
     refuse_tag(mark, tag);
+    if (tag == quoted_tag) last_quoted_ = mark;
     scalar(mark, tag == quoted_tag ? tree::Form::quoted_text : tree::Form::plain_text, value);
   }
 
@@ -54,8 +55,8 @@ class YamlReader : public YAML::EventHandler {
                   YAML::EmitterStyle::value) override {
     refuse_tag(mark, tag);
     if (sequence_ != nullptr) {
-      throw NoDeck{mark.line + 1,
-                   "a map inside a list: \"" + sequence_->name + "\" can only hold values"};
+      throw NoDeck{mark.line + 1, "a map inside a list: \"" + sequence_->name +
+                                      "\" can only hold values (or is its bracket not closed?)"};
     }
     if (sections_.size() > deepest_section)
       throw NoDeck{mark.line + 1, "sections are nested too deep"};
@@ -75,6 +76,9 @@ class YamlReader : public YAML::EventHandler {
     sections_.push_back({&parent.list->lists.back(), "", 0, false});
   }
   void OnMapEnd() override { sections_.pop_back(); }
+
+  /// Where the last quoted text begins.
+  const YAML::Mark& last_quoted() const { return last_quoted_; }
 
   /// The one map inside the outer map.
   tree::List root() {
@@ -146,7 +150,32 @@ class YamlReader : public YAML::EventHandler {
   tree::List document_;
   std::vector<Section> sections_;
   tree::Parameter* sequence_ = nullptr;  ///< the list that is open
+  YAML::Mark last_quoted_ = YAML::Mark::null_mark();
 };
+
+/// yaml-cpp lets a quote that is never closed swallow the rest of the file without a word.
+void refuse_open_quote(const std::string& text, const YAML::Mark& mark) {
+  if (mark.is_null()) return;
+  std::size_t at = 0;
+  for (int line = 0; line < mark.line && at != std::string::npos; ++line) {
+    const std::size_t line_end = text.find('\n', at);
+    at = line_end == std::string::npos ? line_end : line_end + 1;
+  }
+  if (at == std::string::npos) return;
+  at += static_cast<std::size_t>(mark.column);
+  if (at >= text.size() || (text[at] != '"' && text[at] != '\''))
+    return;  // a block of text: | or >
+  const char quote = text[at];
+  for (++at; at < text.size(); ++at) {
+    const bool is_escape = quote == '"' ? text[at] == '\\' : text.compare(at, 2, "''") == 0;
+    if (is_escape) {
+      ++at;
+    } else if (text[at] == quote) {
+      return;
+    }
+  }
+  throw NoDeck{mark.line + 1, "the quote that opens here is never closed"};
+}
 
 }  // namespace
 
@@ -156,6 +185,7 @@ ParsedTree parse_yaml(const std::string& text, const std::string& path) {
     YAML::Parser parser(stream);
     YamlReader reader;
     if (!parser.HandleNextDocument(reader)) throw NoDeck{1, "the deck is empty"};
+    refuse_open_quote(text, reader.last_quoted());
     YamlReader second;
     if (parser.HandleNextDocument(second)) throw NoDeck{1, "several YAML documents in one file"};
     return {reader.root(), {}};
