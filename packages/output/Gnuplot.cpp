@@ -55,10 +55,18 @@ std::string gnuplot_head(const std::string& name, int width, int height, const s
       height);
   script += "set encoding utf8\nset output '../" + name + ".png'\n";
   script += "set tmargin 5\n";
-  script += "set label 1 " + gnuplot_quoted(first) +
-            " at graph 0.5, graph 1 center offset 0, 2.9 font 'Sans:Bold,16'\n";
-  script += "set label 2 " + gnuplot_quoted(rest) +
-            " at graph 0.5, graph 1 center offset 0, 1.3 font 'Sans,13' tc rgb '#444444'\n";
+  const auto heading = [&](int number, const std::string& text, double pixels_down, double points,
+                           const char* style) {
+    // A character is about 0.75 as many pixels wide as it has points; a long title gets smaller
+    // ones.
+    const double fitting = width / (0.75 * static_cast<double>(text.size() + 1));
+    script += base::format(
+        "set label %d %s at screen 0.5, screen %.5f center font 'Sans%s,%.3g'%s\n", number,
+        gnuplot_quoted(text).c_str(), 1.0 - pixels_down / height, style,
+        std::max(6.0, std::min(points, fitting)), number == 1 ? "" : " tc rgb '#444444'");
+  };
+  heading(1, first, 42.0, 16.0, ":Bold");
+  heading(2, rest, 78.0, 13.0, "");
   script += "set border lw 1 lc rgb '#444444'\nset tics out nomirror tc rgb '#222222'\n";
   return script;
 }

@@ -41,26 +41,65 @@ std::string bytes(const std::vector<float>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
-/// Size of a picture whose plot area is about 900 pixels long and true in aspect, with room for the
-/// title, the axes and the colour bar.
-std::array<int, 2> picture_size(const Raster& raster) {
+/// Where things stand on a raster's picture, in pixels from its lower left corner: the plot, true
+/// in aspect and 900 pixels long, and the colour bar to the right of it.
+struct PictureLayout {
+  double width, height;  ///< of the picture
+  double left, bottom;   ///< of the plot
+  double plot_width, plot_height;
+  double bar_bottom, bar_height;
+};
+
+PictureLayout layout_of(const Raster& raster) {
   const double width = raster.pixel[0] * raster.columns, height = raster.pixel[1] * raster.rows;
   const double scale = 900.0 / std::max(width, height);
-  return {static_cast<int>(std::max(width * scale, 300.0)) + 330,
-          static_cast<int>(std::max(height * scale, 240.0)) + 190};
+  PictureLayout layout{};
+  layout.plot_width = width * scale;
+  layout.plot_height = height * scale;
+  layout.bar_height = std::max(layout.plot_height, 160.0);
+  const double room = std::max(layout.plot_width, 300.0);
+  layout.left = 110.0 + 0.5 * (room - layout.plot_width);
+  layout.bottom = 80.0 + 0.5 * (layout.bar_height - layout.plot_height);
+  layout.bar_bottom = 80.0;
+  layout.width = std::round(110.0 + room + 220.0);
+  layout.height = std::round(80.0 + layout.bar_height + 110.0);
+  return layout;
+}
+
+/// A round step that divides a length into at most so many parts.
+double round_step(double length, double parts) {
+  const double step = length / std::max(parts, 1.0);
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= step * (1.0 - 1e-9)) return factor * power;
+  }
+  return 10.0 * power;
 }
 
 /// The part of a script that a raster's pictures share: size, title, axes, aspect.
-std::string raster_script(const Raster& raster, const std::string& name, const std::string& title) {
-  const auto size = picture_size(raster);
-  std::string script = gnuplot_head(name, size[0], size[1], title);
+std::string raster_script(const Raster& raster, const PictureLayout& layout,
+                          const std::string& name, const std::string& title) {
+  std::string script =
+      gnuplot_head(name, static_cast<int>(layout.width), static_cast<int>(layout.height), title);
+  script += format("set lmargin at screen %.5f\nset rmargin at screen %.5f\n",
+                   layout.left / layout.width, (layout.left + layout.plot_width) / layout.width);
+  script +=
+      format("set bmargin at screen %.5f\nset tmargin at screen %.5f\n",
+             layout.bottom / layout.height, (layout.bottom + layout.plot_height) / layout.height);
+  script +=
+      format("set colorbox user origin graph %.5f, screen %.5f size screen %.5f, screen %.5f\n",
+             1.0 + 24.0 / layout.plot_width, layout.bar_bottom / layout.height, 34.0 / layout.width,
+             layout.bar_height / layout.height);
   script += format("set xlabel 'x (%s)'\nset ylabel 'y (%s)'\nset size ratio -1\n", micrometre,
                    micrometre);
+  const double width = raster.pixel[0] * raster.columns, height = raster.pixel[1] * raster.rows;
   const double left = raster.first[0] - 0.5 * raster.pixel[0];
   const double bottom = raster.first[1] - 0.5 * raster.pixel[1];
-  script += format("set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n", left,
-                   left + raster.columns * raster.pixel[0], bottom,
-                   bottom + raster.rows * raster.pixel[1]);
+  script += format("set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n", left, left + width, bottom,
+                   bottom + height);
+  script += format("set xtics %g\nset ytics %g\n",
+                   round_step(width, std::max(layout.plot_width / 80.0, 2.0)),
+                   round_step(height, std::max(layout.plot_height / 60.0, 2.0)));
   return script;
 }
 
@@ -136,8 +175,8 @@ std::string Pictures::draw_materials(const ParticleSet& particles,
   if (!communicator_.is_root()) return draw("vessels", "", "raw", "");
 
   const std::size_t count = materials.size();
-  std::string script =
-      raster_script(raster, "vessels", title_ + format("\nmaterials at z = %.4g ", z) + micrometre);
+  std::string script = raster_script(raster, layout_of(raster), "vessels",
+                                     title_ + format("\nmaterials at z = %.4g ", z) + micrometre);
   script += "set palette defined (";
   std::string names;
   for (std::size_t m = 0; m < count; ++m) {
@@ -173,10 +212,12 @@ std::string Pictures::draw_von_mises(const ParticleSet& particles, const Particl
   std::string subtitle =
       format("\nvon Mises stress, load factor %.4g, layer z = %.4g ", load, z) + micrometre;
   if (scale.largest > scale.end) subtitle += format(", largest %.3g Pa", scale.largest);
-  std::string script = raster_script(raster, "von_mises", title_ + subtitle);
+  const PictureLayout layout = layout_of(raster);
+  std::string script = raster_script(raster, layout, "von_mises", title_ + subtitle);
   script += viridis_palette();
   script += "set cblabel 'von Mises stress (Pa)' offset 1\n";
-  script += format("set cbrange [0:%.4g]\n", scale.end);
+  script += format("set cbrange [0:%.4g]\nset cbtics %g\n", scale.end,
+                   round_step(scale.end, layout.bar_height / 60.0));
   script += raster_plot(raster, "von_mises");
   return draw("von_mises", bytes(raster.value), "raw", script);
 }
