@@ -11,19 +11,17 @@ class Ifpack2Preconditioner : public Preconditioner {
   explicit Ifpack2Preconditioner(const SolverParameters& parameters)
       : method_(parameters.preconditioner == PreconditionerKind::chebyshev ? "CHEBYSHEV"
                                                                            : "RELAXATION") {
-    list_.set("relaxation: type", "Jacobi");
-    list_.set("chebyshev: degree", 4);
-    list_.set("chebyshev: ratio eigenvalue", 30.0);
-    // Power iterations approach the largest eigenvalue from below; beyond it the polynomial is
-    // negative and conjugate gradients break down. More of them, and a margin.
-    list_.set("chebyshev: eigenvalue max iterations", 30);
-    list_.set("chebyshev: boost factor", 1.2);
-    if (parameters.ifpack2 != Teuchos::null) list_.setParameters(*parameters.ifpack2);
-    if (method_ == "CHEBYSHEV") {
-      for (const char* name : {"relaxation: type", "relaxation: sweeps", "relaxation: use l1",
-                               "relaxation: damping factor", "relaxation: min diagonal value"})
-        list_.remove(name, false);
+    if (parameters.preconditioner == PreconditionerKind::jacobi) {
+      list_.set("relaxation: type", "Jacobi");
+    } else {
+      list_.set("chebyshev: degree", 4);
+      list_.set("chebyshev: ratio eigenvalue", 30.0);
+      // Power iterations approach the largest eigenvalue from below; beyond it the polynomial is
+      // negative and conjugate gradients break down. More of them, and a margin.
+      list_.set("chebyshev: eigenvalue max iterations", 30);
+      list_.set("chebyshev: boost factor", 1.2);
     }
+    if (parameters.ifpack2 != Teuchos::null) list_.setParameters(*parameters.ifpack2);
   }
 
   void compute(const grid::RCP<mechanics::Matrix>& matrix) override {

@@ -32,10 +32,17 @@ deck::Section<SolverParameters> solver_section() {
   section.free_list("MueLu", &SolverParameters::muelu,
                     "Settings for MueLu, with Preconditioner = Multigrid.", check_muelu);
   section.check([](const SolverParameters& p, deck::Findings& findings) {
-    const bool relaxation = p.preconditioner == PreconditionerKind::jacobi ||
-                            p.preconditioner == PreconditionerKind::chebyshev;
-    if (p.ifpack2 != Teuchos::null && !relaxation)
+    const bool jacobi = p.preconditioner == PreconditionerKind::jacobi;
+    const bool chebyshev = p.preconditioner == PreconditionerKind::chebyshev;
+    if (p.ifpack2 != Teuchos::null && !jacobi && !chebyshev)
       findings.add("Ifpack2", "is used with Preconditioner = Jacobi or Chebyshev only");
+    if (p.ifpack2 != Teuchos::null && (jacobi || chebyshev)) {
+      const std::string used = jacobi ? "relaxation: " : "chebyshev: ";
+      for (const auto& entry : *p.ifpack2)
+        if (entry.first.compare(0, used.size(), used) != 0)
+          findings.add("Ifpack2|" + entry.first, "is not used with Preconditioner = " +
+                                                     std::string(jacobi ? "Jacobi" : "Chebyshev"));
+    }
     if (p.muelu != Teuchos::null && p.preconditioner != PreconditionerKind::multigrid)
       findings.add("MueLu", "is used with Preconditioner = Multigrid only");
   });

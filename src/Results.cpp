@@ -1,0 +1,205 @@
+#include "Results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "output/DeckFile.hpp"
+#include "tensor/Tensor3.hpp"
+
+namespace stroma {
+namespace {
+
+template <class Named>
+std::vector<std::string> names(const Named& list) {
+  std::vector<std::string> result;
+  for (const auto& entry : list) result.push_back(entry.first);
+  return result;
+}
+
+/// A force [pN] in the unit in which it is easily read.
+std::string readable_force(double force) {
+  const double size = std::abs(force);
+  if (size >= 1e6) return base::format("%.5g uN", force * 1e-6);
+  if (size >= 1e3) return base::format("%.5g nN", force * 1e-3);
+  return base::format("%.5g pN", force);
+}
+
+}  // namespace
+
+Results::Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
+                 const output::RunFolder& folder, base::Log& log)
+    : communicator_(communicator),
+      deck_(&deck),
+      specimen_(&specimen),
+      folder_(folder),
+      log_(&log),
+      conditions_(names(deck.parameters.boundary_conditions.conditions)),
+      materials_(names(deck.parameters.materials.materials)),
+      provenance_{deck.parameters.title, output::library_versions().front().second, deck.text},
+      pictures_(communicator, folder.folder(), deck.parameters.title, specimen.particle_spacing),
+      history_(communicator, folder.history(), conditions_, materials_) {
+  output::write_deck(communicator, folder.deck(), *deck::filled(deck_section(), deck.parameters));
+}
+
+output::ParticleSet Results::particle_set() const {
+  const auto& particles = specimen_->particles;
+  return {particles.count(), particles.position.data(), particles.volume.data(),
+          particles.id.data(), particles.material.data()};
+}
+
+output::HistoryRow Results::with_figures(
+    output::HistoryRow row, const transfer::ParticleFields<grid::Device>& fields) const {
+  const auto& particles = specimen_->particles;
+  std::vector<double> sums(2 * materials_.size() + 1, 0.0);  // volume, stress * volume; energy
+  std::vector<double> largest(materials_.size(), 0.0);
+  for (int p = 0; p < particles.count(); ++p) {
+    const std::size_t m = particles.material(p);
+    const double volume = fields.jacobian(p) * particles.volume(p);
+    const double s[6] = {fields.stress(p, 0), fields.stress(p, 1), fields.stress(p, 2),
+                         fields.stress(p, 3), fields.stress(p, 4), fields.stress(p, 5)};
+    const double von_mises =
+        tensor::von_mises({{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}});
+    sums[2 * m] += volume;
+    sums[2 * m + 1] += von_mises * volume;
+    sums.back() += fields.energy(p) * particles.volume(p);
+    largest[m] = std::max(largest[m], von_mises);
+  }
+  communicator_.sum_all(sums.data(), sums.size());
+  row.strain_energy = sums.back();
+  for (std::size_t m = 0; m < materials_.size(); ++m) {
+    const double volume = sums[2 * m];
+    row.materials.push_back({volume, volume > 0.0 ? sums[2 * m + 1] / volume : 0.0,
+                             communicator_.max(largest[m])});
+  }
+  return row;
+}
+
+void Results::write(output::HistoryRow row, const mechanics::MomentumBalance& balance,
+                    const grid::Vector& u) {
+  const auto fields = balance.particle_fields(u);
+  grid::Vector force(balance.owned_map());
+  balance.internal_force(u, force);
+  row.reactions = balance.supports().reactions(force);
+  rows_.push_back(with_figures(std::move(row), fields));
+  history_.append(rows_.back());
+
+  const auto& when = deck_->parameters.output;
+  if (output::is_due(rows_.back().step, when.particles_every, false)) write_particles(fields);
+  if (output::is_due(rows_.back().step, when.grid_every, false)) write_grid(balance, u);
+}
+
+namespace {
+
+output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields) {
+  return {fields.displacement.data(), fields.stress.data(), fields.jacobian.data(),
+          fields.energy.data()};
+}
+
+}  // namespace
+
+void Results::write_particles(const transfer::ParticleFields<grid::Device>& fields) {
+  if (!particle_file_)
+    particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
+                           output::history_columns(conditions_, materials_), provenance_,
+                           deck_->parameters.output.precision);
+  particle_file_->write(rows_.back().load, particle_set(), state_of(fields),
+                        output::history_values(rows_.back()));
+  particles_step_ = rows_.back().step;
+}
+
+void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u) {
+  const grid::Grid& grid = specimen_->partition.grid();
+  const grid::Box elements = specimen_->partition.elements(communicator_.rank());
+  if (!grid_file_) {
+    const auto filled = balance.filled_elements();
+    output::GridPart part;
+    part.elements = grid.elements;
+    part.first_element = elements.begin;
+    for (int d = 0; d < 3; ++d) part.element_count[d] = elements.extent(d);
+    part.origin = grid.origin;
+    part.spacing = grid.spacing;
+    part.active = filled.data();
+    grid_file_.emplace(communicator_, folder_.grid(), part, provenance_,
+                       deck_->parameters.output.precision);
+  }
+  const auto gathered = [&](const grid::Vector& vector) {
+    const grid::ConstNodeView view = balance.halo().gather(vector);
+    return std::vector<double>(view.data(), view.data() + view.size());
+  };
+  grid::Vector force(balance.owned_map());
+  balance.internal_force(u, force);
+  const std::vector<double> displacement = gathered(u);
+  const std::vector<double> residual = gathered(force);
+  grid_file_->write(rows_.back().load, displacement.data(), residual.data());
+  grid_step_ = rows_.back().step;
+}
+
+std::vector<output::MovingSupport> Results::moving_supports() const {
+  const auto& conditions = deck_->parameters.boundary_conditions.conditions;
+  const grid::Grid& grid = specimen_->partition.grid();
+  const std::array<double, 3> length{grid.length(0), grid.length(1), grid.length(2)};
+  std::vector<output::MovingSupport> moving;
+  for (std::size_t m = 0; m < conditions.size(); ++m) {
+    const mechanics::BoundaryCondition& condition = conditions[m].second;
+    if (condition.loaded_component(length) < 0) continue;
+    output::MovingSupport support;
+    support.name = conditions[m].first;
+    support.index = m;
+    for (int c = 0; c < 3; ++c)
+      if (condition.prescribes(c))
+        support.displacement[static_cast<std::size_t>(c)] =
+            condition.value(c, length, {0.0, 0.0, 0.0}, length);
+    support.strain = condition.strain.value_or(0.0);
+    moving.push_back(support);
+  }
+  return moving;
+}
+
+void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
+                     double seconds) {
+  const auto fields = balance.particle_fields(u);
+  if (particles_step_ != rows_.back().step) write_particles(fields);
+  if (grid_step_ != rows_.back().step) write_grid(balance, u);
+  const std::vector<output::MovingSupport> moving = moving_supports();
+  if (deck_->parameters.output.pictures) {
+    std::vector<std::string> notes{
+        pictures_.draw_materials(particle_set(), materials_),
+        pictures_.draw_von_mises(particle_set(), state_of(fields), rows_.back().load)};
+    if (!moving.empty()) notes.push_back(pictures_.draw_force(moving, rows_));
+    for (const std::string& note : notes)
+      if (!note.empty()) log_->note(note);
+  }
+  print_table(moving, seconds);
+}
+
+void Results::print_table(const std::vector<output::MovingSupport>& moving, double seconds) const {
+  const auto largest_component = [](const std::array<double, 3>& v) {
+    std::size_t largest = 0;
+    for (std::size_t c = 1; c < 3; ++c)
+      if (std::abs(v[c]) > std::abs(v[largest])) largest = c;
+    return largest;
+  };
+  std::string head = "\n step    load  Newton  linear";
+  for (const auto& support : moving) head += base::format("  %16s", (support.name + " force").c_str());
+  for (const auto& name : materials_) head += base::format("  %28s", (name + " von Mises").c_str());
+  log_->line(head);
+  for (const output::HistoryRow& row : rows_) {
+    std::string line = base::format("%5d  %6.4f  %6d  %6d", static_cast<int>(row.step), row.load,
+                                    static_cast<int>(row.newton_iterations),
+                                    static_cast<int>(row.linear_iterations));
+    for (const auto& support : moving) {
+      const double force = row.reactions[support.index][largest_component(support.displacement)];
+      line += base::format("  %16s", readable_force(force).c_str());
+    }
+    for (const auto& material : row.materials)
+      line += base::format("  %28s", base::format("mean %.4g, max %.4g Pa", material.von_mises_mean,
+                                                  material.von_mises_max)
+                                         .c_str());
+    log_->line(line);
+  }
+  log_->line(base::format("\n%.1f s on %d rank%s; results in %s", seconds, communicator_.size(),
+                          communicator_.size() == 1 ? "" : "s", folder_.folder().c_str()));
+}
+
+}  // namespace stroma

@@ -1,0 +1,62 @@
+#pragma once
+
+/// \file
+/// What a run leaves on disk, step by step.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Deck.hpp"
+#include "Specimen.hpp"
+#include "base/Log.hpp"
+#include "mechanics/MomentumBalance.hpp"
+#include "output/GridFile.hpp"
+#include "output/History.hpp"
+#include "output/ParticleFile.hpp"
+#include "output/Pictures.hpp"
+#include "output/RunFolder.hpp"
+
+namespace stroma {
+
+/// Writes history.csv, particles.e, grid.e, deck.xml and the pictures of one run.
+class Results {
+ public:
+  /// Writes deck.xml and opens the files. Collective.
+  Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
+          const output::RunFolder& folder, base::Log& log);
+
+  /// Writes an accepted step: its row always, the fields as often as the deck asks. The row's
+  /// reactions, energy and material figures are computed here from u. Collective.
+  void write(output::HistoryRow row, const mechanics::MomentumBalance& balance,
+             const grid::Vector& u);
+
+  /// Writes the last accepted step's fields if they were not due, draws the pictures and prints a
+  /// table of all steps: at the end of a run, and of one that failed. Collective.
+  void finish(const mechanics::MomentumBalance& balance, const grid::Vector& u, double seconds);
+
+ private:
+  output::ParticleSet particle_set() const;
+  output::HistoryRow with_figures(output::HistoryRow row,
+                                  const transfer::ParticleFields<grid::Device>& fields) const;
+  void write_particles(const transfer::ParticleFields<grid::Device>& fields);
+  void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  std::vector<output::MovingSupport> moving_supports() const;
+  void print_table(const std::vector<output::MovingSupport>& moving, double seconds) const;
+
+  base::Communicator communicator_;
+  const Deck* deck_;
+  const Specimen* specimen_;
+  output::RunFolder folder_;
+  base::Log* log_;
+  std::vector<std::string> conditions_, materials_;
+  output::Provenance provenance_;
+  output::Pictures pictures_;
+  output::History history_;
+  std::optional<output::ParticleFile> particle_file_;
+  std::optional<output::GridFile> grid_file_;
+  std::vector<output::HistoryRow> rows_;
+  std::int64_t particles_step_ = -1, grid_step_ = -1;  // last ones written
+};
+
+}  // namespace stroma

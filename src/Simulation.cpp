@@ -1,0 +1,141 @@
+#include "Simulation.hpp"
+
+#include <mpi.h>
+
+#include <optional>
+#include <utility>
+
+#include "Results.hpp"
+#include "Specimen.hpp"
+#include "base/Error.hpp"
+#include "solver/NewtonSolver.hpp"
+#include "solver/StepControl.hpp"
+
+namespace stroma {
+namespace {
+
+using base::format;
+
+void describe(const base::Communicator& communicator, const Specimen& specimen,
+              const mechanics::MomentumBalance& balance, base::Log& log) {
+  const image::ImageSummary& image = specimen.image;
+  const grid::Grid& grid = specimen.partition.grid();
+  log.line(format("image      %lld x %lld x %lld voxels of %g x %g x %g um (%s)",
+                  static_cast<long long>(image.size[0]), static_cast<long long>(image.size[1]),
+                  static_cast<long long>(image.size[2]), image.voxel_size.um[0],
+                  image.voxel_size.um[1], image.voxel_size.um[2], image.format.c_str()));
+  for (const std::string& note : image.notes) log.note(note);
+  log.line(format("grid       %lld x %lld x %lld elements of %g x %g x %g um, %lld unknowns",
+                  static_cast<long long>(grid.elements[0]), static_cast<long long>(grid.elements[1]),
+                  static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1],
+                  grid.spacing[2], static_cast<long long>(balance.supports().unknowns())));
+  log.line(format("particles  %lld, on %d rank%s", static_cast<long long>(specimen.particle_count),
+                  communicator.size(), communicator.size() == 1 ? "" : "s"));
+  for (const auto& hold : balance.supports().rigid_holds())
+    log.note(format("the boundary conditions leave a rigid motion free; u_%c is held at the node at "
+                    "(%g, %g, %g) um, which has no effect on the stress",
+                    "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+}
+
+std::string failure(const Deck& deck, const mechanics::WorstParticle& worst, double load, double next,
+                    const std::string& reason, const std::string& folder) {
+  return format(
+             "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step forbids "
+             "smaller ones: %s\n",
+             load, next, reason.c_str()) +
+         format("worst particle: id %lld, material \"%s\", at (%.6g, %.6g, %.6g) um, J = %.4g\n",
+                static_cast<long long>(worst.id),
+                deck.parameters.materials.materials[static_cast<std::size_t>(worst.material)]
+                    .first.c_str(),
+                worst.position[0], worst.position[1], worst.position[2], worst.jacobian) +
+         "the steps up to there are in " + folder +
+         "; to go on: a smaller load, a smaller Loading|Smallest Step, or a finer grid there";
+}
+
+}  // namespace
+
+void run_simulation(const base::Communicator& communicator, const Deck& deck,
+                    const std::string& output_folder, base::Log& log) {
+  const double start = MPI_Wtime();
+  const auto seconds = [&] { return MPI_Wtime() - start; };
+
+  // Image stack -> labels -> particles on a grid.
+  std::optional<image::LabelVolume> labels;
+  image::ImageSummary summary;
+  labels = read_labels(communicator, deck, summary);
+  const Specimen specimen = make_specimen(communicator, deck, *labels, summary);
+  labels.reset();
+
+  const DeckParameters& p = deck.parameters;
+  mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
+                                     material::laws(p.materials.materials),
+                                     p.boundary_conditions.conditions, p.grid.plane_strain);
+  const output::RunFolder folder(communicator, output_folder);
+  folder.remove_old_results();
+  base::collectively(communicator, [&] { log.open_file(folder.log()); });
+  describe(communicator, specimen, balance, log);
+  Results results(communicator, deck, specimen, folder, log);
+
+  solver::NewtonSolver newton(p.solver, balance, [&](int iteration, double residual, long long linear) {
+    log.line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s", iteration,
+                    residual, linear, seconds()));
+  });
+  solver::StepControl load(p.loading);
+  grid::Vector u(balance.owned_map());         // displacement since the base configuration
+  grid::Vector previous(balance.owned_map());  // that of the step before, at previous_load
+  double previous_load = 0.0;
+  bool may_extrapolate = false;
+  results.write({}, balance, u);
+
+  while (!load.finished()) {
+    const double next = load.next();
+    grid::Vector trial(u, Teuchos::Copy);
+    solver::NewtonResult newton_result;
+    try {
+      if (may_extrapolate) {
+        const double ratio = (next - load.load()) / (load.load() - previous_load);
+        trial.update(-ratio, previous, 1.0 + ratio);
+      } else {
+        grid::Vector change(balance.owned_map());
+        balance.supports().impose(next - load.load(), change);
+        newton.predict(trial, change);
+      }
+      balance.supports().impose(next, trial);
+      newton_result = newton.solve(trial);
+    } catch (const base::StepRejected& rejected) {
+      log.line(format("step to load %.6g rejected: %s", next, rejected.what()));
+      const double from = load.load();
+      if (!load.reject()) {
+        results.finish(balance, u, seconds());
+        throw base::RunError(failure(deck, balance.worst_particle(trial), from, next, rejected.what(),
+                                     folder.folder()));
+      }
+      may_extrapolate = false;
+      continue;
+    }
+
+    // The step has converged: only now does anything change.
+    std::swap(previous, u);
+    std::swap(u, trial);
+    previous_load = load.load();
+    load.accept();
+    may_extrapolate = true;
+
+    output::HistoryRow row;
+    row.step = load.accepted();
+    row.load = load.load();
+    row.newton_iterations = newton_result.iterations;
+    row.linear_iterations = newton_result.linear_iterations;
+    row.residual = newton_result.residual;
+    row.wall_seconds = seconds();
+    results.write(row, balance, u);
+    log.line(format("step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
+                    "%.0f s left",
+                    load.accepted(), load.load(), newton_result.iterations,
+                    newton_result.linear_iterations, newton_result.residual, seconds(),
+                    seconds() * (1.0 - load.load()) / load.load()));
+  }
+  results.finish(balance, u, seconds());
+}
+
+}  // namespace stroma

@@ -1,0 +1,48 @@
+#include "Specimen.hpp"
+
+#include "base/Error.hpp"
+#include "image/ReadVolume.hpp"
+
+namespace stroma {
+
+image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
+                               image::ImageSummary& summary) {
+  return image::read_labels(communicator, deck.parameters.image, deck.folder, &summary);
+}
+
+Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
+                       const image::LabelVolume& labels, const image::ImageSummary& summary) {
+  const DeckParameters& p = deck.parameters;
+  std::array<double, 3> length;
+  for (int d = 0; d < 3; ++d) length[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];
+  grid::Grid grid = grid::make_grid(p.grid, length);
+  if (p.image.region)  // positions are those in the whole image
+    for (std::size_t d = 0; d < 3; ++d)
+      grid.origin[d] = static_cast<double>((*p.image.region)[d]) * labels.voxel_size[d];
+
+  const auto partition = grid::Partition::balanced(
+      grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
+  Specimen specimen{summary, partition,
+                    particles::seed(communicator, p.particles, partition, labels,
+                                    material::material_of_label(p.materials.materials)),
+                    {}, 0};
+  for (std::size_t d = 0; d < 3; ++d) {
+    switch (p.particles.layout) {
+      case particles::Layout::voxel_centers:
+        specimen.particle_spacing[d] = labels.voxel_size[d] / p.particles.per_voxel;
+        break;
+      case particles::Layout::gauss:
+        specimen.particle_spacing[d] = grid.spacing[d] / 2.0;
+        break;
+      case particles::Layout::per_element:
+        specimen.particle_spacing[d] = grid.spacing[d] / p.particles.per_element;
+        break;
+    }
+  }
+  specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
+  if (specimen.particle_count == 0)
+    throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
+  return specimen;
+}
+
+}  // namespace stroma

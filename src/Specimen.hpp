@@ -1,0 +1,38 @@
+#pragma once
+
+/// \file
+/// The specimen as the deck describes it, ready to be computed with.
+
+#include <vector>
+
+#include "Deck.hpp"
+#include "base/Communicator.hpp"
+#include "grid/Partition.hpp"
+#include "image/ImageSummary.hpp"
+#include "image/Volume.hpp"
+#include "mechanics/MomentumBalance.hpp"
+
+namespace stroma {
+
+/// Image, grid and particles of one deck, this rank's part.
+struct Specimen {
+  image::ImageSummary image;
+  grid::Partition partition;
+  particles::Particles<grid::Device> particles;
+  std::array<double, 3> particle_spacing;  ///< distance of neighbouring particles [um]
+
+  std::int64_t particle_count;  ///< over all ranks
+};
+
+/// Reads and segments the deck's image. The labels are kept only as long as they are needed: they
+/// and the particles are the larger part of what a rank holds before it solves. Collective.
+/// \throws base::InputError when image and deck do not go together
+image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
+                               image::ImageSummary& summary);
+
+/// Grid and particles for segmented labels. Collective.
+/// \throws base::InputError when the deck's grid does not fit the image
+Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
+                       const image::LabelVolume& labels, const image::ImageSummary& summary);
+
+}  // namespace stroma

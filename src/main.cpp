@@ -1,0 +1,130 @@
+/// \file
+/// The command `stroma`: reads its words, starts MPI and Kokkos, and answers every error in one place.
+
+#include <CLI/CLI.hpp>
+#include <Tpetra_Core.hpp>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "CheckCommand.hpp"
+#include "Deck.hpp"
+#include "ImageCommand.hpp"
+#include "PhantomCommand.hpp"
+#include "Simulation.hpp"
+#include "base/Communicator.hpp"
+#include "base/Error.hpp"
+#include "base/Log.hpp"
+
+namespace {
+
+using stroma::base::ExitStatus;
+
+struct Options {
+  std::string deck, output, section;
+  std::vector<std::string> overrides;
+  bool quiet = false;
+  stroma::ImageOptions image;
+  stroma::PhantomOptions phantom;
+};
+
+/// The deck's name without its ending.
+std::string default_folder(const std::string& deck) {
+  return std::filesystem::path(deck).replace_extension().string();
+}
+
+void add_deck(CLI::App& command, Options& options) {
+  command.add_option("DECK", options.deck, "the deck, .xml or .yaml")->required();
+  command.add_option("--set", options.overrides, "'Section|Parameter=value', instead of the deck's")
+      ->allow_extra_args(false);
+}
+
+void add_image(CLI::App& command, stroma::ImageOptions& options) {
+  command.add_option("FILE", options.file, "TIFF, PIC, NRRD, MetaImage, NIfTI or HDF5")->required();
+  command.add_option("--dataset", options.dataset, "dataset of an HDF5 file");
+  command.add_option("--channel", options.channel, "channel, from 0");
+  command
+      .add_option_function<std::vector<double>>(
+          "--voxel",
+          [&options](const std::vector<double>& um) { options.voxel_size = {um[0], um[1], um[2]}; },
+          "size of a voxel x,y,z [um], where the file does not state it")
+      ->delimiter(',')
+      ->expected(3);
+}
+
+void add_phantom(CLI::App& command, stroma::PhantomOptions& options) {
+  command.add_option("-o,--output", options.output, "TIFF file to write")->required();
+  command.add_option("--size", options.size, "voxels x,y,z")->delimiter(',');
+  command.add_option("--voxel", options.voxel_size, "size of a voxel x,y,z [um]")->delimiter(',');
+  command.add_option("--fraction", options.fraction, "volume fraction of the vessels");
+  command.add_option("--seed", options.seed, "another seed, another network");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Stroma: stress in tissue, from the image stack, by the implicit Material Point Method",
+               "stroma");
+  Options options;
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "stroma " STROMA_VERSION);
+
+  CLI::App* run = app.add_subcommand("run", "run a deck");
+  add_deck(*run, options);
+  run->add_option("-o,--output", options.output, "output folder; else the deck's name without ending");
+  run->add_flag("--quiet", options.quiet, "print errors only");
+  CLI::App* check = app.add_subcommand("check", "read everything, run nothing, say what it would be");
+  add_deck(*check, options);
+  CLI::App* image = app.add_subcommand("image", "say what is in an image");
+  add_image(*image, options.image);
+  CLI::App* phantom = app.add_subcommand("phantom", "write a synthetic microvessel volume");
+  add_phantom(*phantom, options.phantom);
+  CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
+  reference->add_option("SECTION", options.section, "one section, such as 'Image|Segmentation'");
+
+  // MPI takes its own words off the command line first; every rank parses the rest alike.
+  Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
+  const auto communicator = stroma::base::Communicator::world();
+  const auto fail = [&](ExitStatus status, const std::string& message) {
+    if (communicator.is_root()) std::cerr << "stroma: " << message << std::endl;
+    return static_cast<int>(status);
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    if (communicator.is_root()) app.exit(help);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return fail(ExitStatus::wrong_input,
+                std::string(error.what()) + "\nsee: stroma --help, or stroma COMMAND --help");
+  }
+
+  try {
+    stroma::base::Log log(communicator, options.quiet);
+    if (*run) {
+      const stroma::Deck deck = stroma::read_deck(options.deck, options.overrides);
+      stroma::run_simulation(communicator, deck,
+                             options.output.empty() ? default_folder(options.deck) : options.output,
+                             log);
+    } else if (*check) {
+      stroma::check_command(communicator, stroma::read_deck(options.deck, options.overrides), log);
+    } else if (*image) {
+      stroma::image_command(communicator, options.image, log);
+    } else if (*phantom) {
+      stroma::phantom_command(communicator, options.phantom, log);
+    } else if (*reference) {
+      log.line(stroma::deck::reference(stroma::deck_section(), options.section));
+    }
+  } catch (const stroma::base::InputError& error) {
+    return fail(ExitStatus::wrong_input, error.what());
+  } catch (const stroma::base::RunError& error) {
+    return fail(ExitStatus::run_failed, error.what());
+  } catch (const std::exception& error) {
+    // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others waiting.
+    std::cerr << "stroma: rank " << communicator.rank() << ": " << error.what() << std::endl;
+    if (communicator.size() > 1) MPI_Abort(communicator.raw(), static_cast<int>(ExitStatus::run_failed));
+    return static_cast<int>(ExitStatus::run_failed);
+  }
+  return static_cast<int>(ExitStatus::done);
+}
