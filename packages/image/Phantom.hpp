@@ -44,10 +44,10 @@ struct VesselParameters {
 struct PhantomParameters {
   enum class Kind { uniform, vessels, shapes };
   Kind kind = Kind::uniform;
-  std::array<std::int64_t, 3> size{0, 0, 0};        ///< voxels: x, y, z
+  std::array<int, 3> size{0, 0, 0};                 ///< voxels: x, y, z
   std::array<double, 3> voxel_size{0.0, 0.0, 0.0};  ///< [um]: x, y, z
   std::optional<double> fraction;                   ///< vessels only; absent: 0.194
-  std::optional<std::int64_t> seed;                 ///< vessels only; absent: 1
+  std::optional<int> seed;                          ///< vessels only; absent: 1
   std::optional<ShapeList> shapes;                  ///< shapes only
 };
 

@@ -82,7 +82,7 @@ class Network {
     double best_room = -1.0;
     for (int trial = 0; trial < 12; ++trial) {
       const Vector point{random_.uniform(0.0, p_.box[0]), random_.uniform(0.0, p_.box[1]),
-                         random_.uniform(0.1, 0.9) * p_.box[2]};
+                         random_.uniform(0.0, p_.box[2])};
       double room = 1e300;
       for (const TubeSegment& segment : segments_)
         room = std::min(room, length(minus(segment.from, point)));
@@ -118,9 +118,10 @@ class Network {
   void turn(Sprout& sprout) {
     Vector& d = sprout.direction;
     for (int i = 0; i < 3; ++i) d[i] += 0.16 * (i == 2 ? flatness_ : 1.0) * random_.normal();
-    const double margin = 1.5 * sprout.radius;
-    if (sprout.position[2] < margin && d[2] < 0.0) d[2] = 0.3 * std::abs(d[2]);
-    if (sprout.position[2] > p_.box[2] - margin && d[2] > 0.0) d[2] = -0.3 * std::abs(d[2]);
+    // The way back into a flat box, so that trunks run along it. Thin vessels may end in its faces.
+    const double outside = 0.5 * sprout.radius;
+    if (sprout.position[2] < -outside) d[2] = std::abs(d[2]);
+    if (sprout.position[2] > p_.box[2] + outside) d[2] = -std::abs(d[2]);
     d = unit(d);
   }
 
