@@ -113,8 +113,12 @@ void ExodusFile::close() {
 
 void ExodusFile::check(int code, const char* what) const {
   if (code >= 0) return;
-  throw base::RunError("cannot write " + std::string(what) + " to '" + path_ +
-                       "': " + reason_of_library());
+  const int system_reason = errno;  // the library swallows it
+  std::string reason = reason_of_library();
+  for (const int likely : {ENOSPC, EDQUOT, EFBIG, EIO}) {
+    if (system_reason == likely) reason = std::strerror(likely);
+  }
+  throw base::RunError("cannot write " + std::string(what) + " to '" + path_ + "': " + reason);
 }
 
 void ExodusFile::put_provenance(const Provenance& provenance) const {

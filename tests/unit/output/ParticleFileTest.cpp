@@ -347,7 +347,19 @@ TEST(ParticleFile, ADiskThatFillsUpIsARunErrorOnEveryRank) {
   EXPECT_NE(message.find(output::spread_file_name(folder / "p.e", world.size(), 0)),
             std::string::npos)
       << message;
+  EXPECT_NE(message.find("File too large"), std::string::npos) << message;
   EXPECT_EQ(file.steps(), 1);
+
+  // What was computed before is still there.
+  const ExodusReader reader(path);
+  EXPECT_GE(reader.steps(), 1);
+  EXPECT_EQ(reader.time(1), 0.1);
+  const auto nodes = reader.connectivity(1);
+  const auto jacobian =
+      reader.variable(1, EX_ELEM_BLOCK, "jacobian", 1, static_cast<std::int64_t>(nodes.size()));
+  for (std::size_t e = 0; e < nodes.size(); ++e) {
+    EXPECT_EQ(jacobian[e], sample.jacobian[static_cast<std::size_t>(nodes[e] - 1)]);
+  }
 }
 
 }  // namespace
