@@ -19,6 +19,7 @@
 #include "image/ImageSource.hpp"
 #include "image/LengthUnit.hpp"
 #include "image/LibraryMessages.hpp"
+#include "image/ValueExtent.hpp"
 
 namespace stroma::image {
 namespace {
@@ -158,6 +159,8 @@ class ItkSource : public ImageSource {
     summary_.channels = reader_->GetNumberOfComponents();
     check_size(path, summary_.file_size, summary_.channels, summary_.type.bytes, bytes_on_disk(),
                largest_expansion);
+    require_all_values(path, summary_.format,
+                       static_cast<std::uint64_t>(reader_->GetImageSizeInBytes()));
     streams_ = reader_->CanStreamRead() && dimensions == 3;
     if (streams_) reader_->SetUseStreamedReading(true);
   }

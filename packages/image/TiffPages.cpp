@@ -160,16 +160,16 @@ void TiffPages::read_tags() {
   std::uint16_t unit = RESUNIT_INCH;
   TIFFGetFieldDefaulted(file_.get(), TIFFTAG_RESOLUTIONUNIT, &unit);
   tags_.resolution_unit = unit;
-  const auto take = [&](std::uint16_t tag, std::optional<double>& value,
-                        std::optional<double>& quantum) {
+  const auto take = [&](std::uint16_t tag, std::optional<double>& value, double& rounding) {
     const auto [numerator, denominator] = DirectoryReader(path_, pages_[0].offset).rational(tag);
     if (numerator == 0 || denominator == 0) return;
     value = static_cast<double>(numerator) / denominator;
-    // ImageJ and others write a decimal times 10^6.
-    if (denominator >= 1000000 && denominator % 1000000 == 0) quantum = 1.0 / denominator;
+    // Some writers keep a decimal over 10^6 or so, others turn a float into a fraction.
+    const double step = denominator >= 10000 ? 0.5 / denominator : 0.0;
+    rounding = std::max(1.0000001 * step, 6.0e-8 * *value);
   };
-  take(TIFFTAG_XRESOLUTION, tags_.pixels_per_unit_x, tags_.quantum_x);
-  take(TIFFTAG_YRESOLUTION, tags_.pixels_per_unit_y, tags_.quantum_y);
+  take(TIFFTAG_XRESOLUTION, tags_.pixels_per_unit_x, tags_.rounding_x);
+  take(TIFFTAG_YRESOLUTION, tags_.pixels_per_unit_y, tags_.rounding_y);
 }
 
 void TiffPages::go_to(std::size_t page) {

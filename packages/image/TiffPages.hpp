@@ -48,8 +48,8 @@ struct TiffPage {
 struct TiffTags {
   std::string description;
   std::optional<double> pixels_per_unit_x, pixels_per_unit_y;  ///< resolution tags, exact
-  std::optional<double> quantum_x,
-      quantum_y;  ///< where the tag is a decimal rounded by its writer: its step
+  double rounding_x = 0.0,
+         rounding_y = 0.0;             ///< how far the tags may lie from what their writer meant
   int resolution_unit = RESUNIT_INCH;  ///< RESUNIT_NONE, RESUNIT_INCH or RESUNIT_CENTIMETER
 };
 

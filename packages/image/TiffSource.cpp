@@ -31,14 +31,13 @@ std::map<std::string, std::string> imagej_settings(const std::string& descriptio
   return settings;
 }
 
-/// 1 / resolution. Where the tag is a decimal that its writer rounded, the shortest decimal that
-/// gives the same tag: 0.952381 pixels per micron is 1.05 um, not 1.0499999475.
-double length_of_pixel(double resolution, const std::optional<double>& quantum) {
+/// 1 / resolution. Where a decimal of at most 6 digits gives the same tag, up to the rounding of
+/// its writer, it is that decimal: 952381 / 1000000 pixels per micron is 1.05 um, not 1.0499999475.
+double length_of_pixel(double resolution, double rounding) {
   const double length = 1.0 / resolution;
-  if (!quantum) return length;
-  for (int digits = 1; digits < 15; ++digits) {
+  for (int digits = 1; digits <= 6; ++digits) {
     const double candidate = std::strtod(base::format("%.*g", digits, length).c_str(), nullptr);
-    if (std::abs(1.0 / candidate - resolution) <= 0.5000001 * *quantum) return candidate;
+    if (std::abs(1.0 / candidate - resolution) <= rounding) return candidate;
   }
   return length;
 }
@@ -287,10 +286,10 @@ class TiffSource : public ImageSource {
       return;
     }
     const TiffTags& tags = pages_.tags();
-    take_resolution(0, tags.pixels_per_unit_x, tags.quantum_x, micrometres_per(unit), unit,
+    take_resolution(0, tags.pixels_per_unit_x, tags.rounding_x, micrometres_per(unit), unit,
                     "ImageJ tags");
-    take_resolution(1, tags.pixels_per_unit_y, tags.quantum_y, micrometres_per(text("yunit", unit)),
-                    unit, "ImageJ tags");
+    take_resolution(1, tags.pixels_per_unit_y, tags.rounding_y,
+                    micrometres_per(text("yunit", unit)), unit, "ImageJ tags");
     const double spacing = std::strtod(text("spacing", "0").c_str(), nullptr);
     const auto z_scale = micrometres_per(text("zunit", unit));
     if (spacing > 0.0 && std::isfinite(spacing) && z_scale) {
@@ -307,14 +306,16 @@ class TiffSource : public ImageSource {
     const bool inch = tags.resolution_unit == RESUNIT_INCH;
     const std::optional<double> scale = inch ? 25400.0 : 1e4;
     const char* unit = inch ? "inch" : "cm";
-    take_resolution(0, tags.pixels_per_unit_x, tags.quantum_x, scale, unit, "TIFF resolution tags");
-    take_resolution(1, tags.pixels_per_unit_y, tags.quantum_y, scale, unit, "TIFF resolution tags");
+    take_resolution(0, tags.pixels_per_unit_x, tags.rounding_x, scale, unit,
+                    "TIFF resolution tags");
+    take_resolution(1, tags.pixels_per_unit_y, tags.rounding_y, scale, unit,
+                    "TIFF resolution tags");
   }
 
   /// Resolutions of printers and screens are no calibration.
-  void take_resolution(int axis, const std::optional<double>& resolution,
-                       const std::optional<double>& quantum, const std::optional<double>& scale,
-                       const std::string& unit, const std::string& place) {
+  void take_resolution(int axis, const std::optional<double>& resolution, double rounding,
+                       const std::optional<double>& scale, const std::string& unit,
+                       const std::string& place) {
     if (!resolution || !scale) return;
     const double per_inch = *resolution * 25400.0 / *scale;
     const bool printer = (place != "ImageJ tags" || unit == "inch") && per_inch < 1300.0;
@@ -325,7 +326,7 @@ class TiffSource : public ImageSource {
                          *resolution, unit.c_str()));
       return;
     }
-    summary_.voxel_size.set(axis, length_of_pixel(*resolution, quantum) * *scale, place);
+    summary_.voxel_size.set(axis, length_of_pixel(*resolution, rounding) * *scale, place);
   }
 
   TiffPages pages_;

@@ -1,0 +1,135 @@
+/// \file
+/// Connected objects, counted over slabs, against a flood fill of the whole volume.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "image/CounterRandom.hpp"
+#include "image/Objects.hpp"
+
+namespace stroma::test {
+namespace {
+
+using Size = std::array<std::int64_t, 3>;
+
+template <class Label>
+image::LabelVolume volume_of(const Size& size, Label&& label) {
+  image::LabelVolume volume(base::Communicator::world(), size, {1.0, 1.0, 1.0});
+  const std::int64_t first = volume.first_plane * volume.plane_voxels();
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+    volume.values[i] = label(first + static_cast<std::int64_t>(i));
+  return volume;
+}
+
+/// Sizes of the objects of a whole volume, largest first, by flood fill.
+template <class Label>
+std::vector<std::int64_t> flood_fill(const Size& size, Label&& label, bool corners) {
+  const std::int64_t voxels = size[0] * size[1] * size[2];
+  std::vector<char> seen(static_cast<std::size_t>(voxels), 0);
+  std::vector<std::int64_t> sizes;
+  for (std::int64_t start = 0; start < voxels; ++start) {
+    if (seen[static_cast<std::size_t>(start)] || label(start) <= 0) continue;
+    std::vector<std::int64_t> front{start};
+    seen[static_cast<std::size_t>(start)] = 1;
+    std::int64_t count = 0;
+    while (!front.empty()) {
+      const std::int64_t v = front.back();
+      front.pop_back();
+      ++count;
+      const Size at{v % size[0], v / size[0] % size[1], v / (size[0] * size[1])};
+      for (int n = 0; n < 27; ++n) {
+        const Size d{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+        if (!corners && std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]) > 1) continue;
+        const Size to{at[0] + d[0], at[1] + d[1], at[2] + d[2]};
+        if (to[0] < 0 || to[1] < 0 || to[2] < 0 || to[0] >= size[0] || to[1] >= size[1] ||
+            to[2] >= size[2])
+          continue;
+        const std::int64_t w = to[0] + size[0] * (to[1] + size[1] * to[2]);
+        if (seen[static_cast<std::size_t>(w)] || label(w) != label(v)) continue;
+        seen[static_cast<std::size_t>(w)] = 1;
+        front.push_back(w);
+      }
+    }
+    sizes.push_back(count);
+  }
+  std::sort(sizes.rbegin(), sizes.rend());
+  return sizes;
+}
+
+template <class Label>
+void expect_same(const Size& size, Label&& label) {
+  const image::LabelVolume volume = volume_of(size, label);
+  for (const bool corners : {false, true}) {
+    const std::vector<std::int64_t> expected = flood_fill(size, label, corners);
+    const image::Objects objects(
+        base::Communicator::world(), volume,
+        corners ? image::Connectivity::corners : image::Connectivity::faces);
+    SCOPED_TRACE(corners ? "26 neighbours" : "6 neighbours");
+    EXPECT_EQ(objects.count(), static_cast<std::int64_t>(expected.size()));
+    EXPECT_EQ(objects.largest(), expected.empty() ? 0 : expected.front());
+    for (const std::int64_t smallest : {2, 5, 27}) {
+      EXPECT_EQ(objects.count(smallest), std::count_if(expected.begin(), expected.end(),
+                                                       [&](auto n) { return n >= smallest; }));
+    }
+  }
+}
+
+TEST(Objects, RandomVoxelsNearPercolation) {
+  const Size size{19, 17, 13};
+  for (const double density : {0.05, 0.25, 0.32}) {
+    expect_same(size, [&](std::int64_t v) {
+      return image::random_uniform(5, static_cast<std::uint64_t>(v)) < density ? 1 : 0;
+    });
+  }
+}
+
+// A thread that runs up and down through all slabs: 7 columns joined in turns at the top and the
+// bottom.
+TEST(Objects, AThreadThatCrossesEverySlabManyTimes) {
+  const Size size{13, 1, 12};
+  const auto thread = [&](std::int64_t v) {
+    const std::int64_t x = v % 13, z = v / 13;
+    if (x % 2 == 0) return 1;
+    return z == ((x / 2) % 2 == 0 ? 11 : 0) ? 1 : 0;
+  };
+  expect_same(size, thread);
+  const image::Objects objects(base::Communicator::world(), volume_of(size, thread),
+                               image::Connectivity::faces);
+  EXPECT_EQ(objects.count(), 1);
+  EXPECT_EQ(objects.largest(), 7 * 12 + 6);
+}
+
+TEST(Objects, DifferentLabelsAreDifferentObjectsAndEmptySpaceIsNone) {
+  const Size size{6, 5, 8};
+  expect_same(size, [](std::int64_t v) { return static_cast<std::int32_t>(v / 60 % 4) - 1; });
+}
+
+TEST(Objects, FewerPlanesThanRanks) {
+  expect_same({7, 6, 1}, [](std::int64_t v) { return v % 3 == 0 ? 1 : 0; });
+  expect_same({7, 6, 2}, [](std::int64_t v) { return v % 5 < 2 ? 1 : 0; });
+}
+
+TEST(Objects, SmallOnesBecomeLabelZero) {
+  const base::Communicator world = base::Communicator::world();
+  const Size size{8, 8, 8};
+  // A bar of 8 voxels along z, one of 7, and a loose voxel that touches the second by a corner.
+  const auto bars = [&](std::int64_t v) {
+    const std::int64_t x = v % 8, y = v / 8 % 8, z = v / 64;
+    if (x == 1 && y == 1) return 1;
+    if (x == 5 && y == 5 && z < 7) return 2;
+    return x == 7 && y == 2 && z == 3 ? 1 : 0;
+  };
+  image::LabelVolume volume = volume_of(size, bars);
+  EXPECT_EQ(image::remove_small_objects(world, volume, 8), 2);
+  std::int64_t left = 0;
+  for (const std::int32_t label : volume.values) {
+    EXPECT_NE(label, 2);
+    left += label;
+  }
+  EXPECT_EQ(world.sum(left), 8);
+}
+
+}  // namespace
+}  // namespace stroma::test

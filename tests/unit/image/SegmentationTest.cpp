@@ -1,0 +1,131 @@
+/// \file
+/// From an image file to labels: methods, region, smoothing, small objects, fractions.
+
+#include <gtest/gtest.h>
+
+#include "WriteFiles.hpp"
+#include "base/Error.hpp"
+#include "image/ReadVolume.hpp"
+#include "image/Segmentation.hpp"
+
+namespace stroma::test {
+namespace {
+
+using Method = image::SegmentationParameters::Method;
+
+image::ImageParameters parameters_for(const std::string& name, const ValueType& type,
+                                      const Pattern& pattern,
+                                      const std::array<std::int64_t, 3>& size) {
+  image::ImageParameters parameters;
+  parameters.file = name;
+  parameters.voxel_size = std::array<double, 3>{1.0, 1.0, 2.0};
+  TiffOptions options;
+  options.size = size;
+  options.type = type;
+  on_root([&] { write_tiff_file(folder() + "/" + name, options, pattern); });
+  return parameters;
+}
+
+double ramp(std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t) {
+  return static_cast<double>(x + 10 * y + z);
+}
+
+TEST(Segmentation, ThresholdIsStrict) {
+  const base::Communicator world = base::Communicator::world();
+  image::ImageParameters parameters =
+      parameters_for("ramp.tif", {Kind::unsigned_integer, 1}, ramp, {10, 8, 5});
+  parameters.segmentation.method = Method::threshold;
+  parameters.segmentation.threshold = 40.0;
+  const image::LabelVolume labels = image::read_labels(world, parameters, folder());
+  EXPECT_EQ(labels.voxel_size, (std::array<double, 3>{1.0, 1.0, 2.0}));
+  std::size_t voxel = 0;
+  for (std::int64_t z = 0; z < labels.planes; ++z) {
+    for (std::int64_t y = 0; y < 8; ++y) {
+      for (std::int64_t x = 0; x < 10; ++x)
+        ASSERT_EQ(labels.values[voxel++], ramp(x, y, z + labels.first_plane, 0) > 40.0 ? 1 : 0);
+    }
+  }
+  // Plane z has 39 + z values above 40 of 80: x + 10 y > 40 - z.
+  const std::vector<double> planes = image::plane_fractions(world, labels, 1);
+  ASSERT_EQ(planes.size(), 5u);
+  for (std::size_t z = 0; z < 5; ++z)
+    EXPECT_DOUBLE_EQ(planes[z], (39.0 + static_cast<double>(z)) / 80.0);
+  const auto fractions = image::volume_fractions(world, labels);
+  EXPECT_DOUBLE_EQ(fractions.at(1), 41.0 / 80.0);
+  EXPECT_DOUBLE_EQ(fractions.at(0), 39.0 / 80.0);
+}
+
+TEST(Segmentation, LabelsAreTheValuesAndMinusOneIsEmptySpace) {
+  const base::Communicator world = base::Communicator::world();
+  const auto labels_of = [](std::int64_t x, std::int64_t, std::int64_t z, std::int64_t) {
+    return x == 2 && z == 1 ? 2147483647.0 : static_cast<double>(x % 3) - 1.0;
+  };
+  image::ImageParameters parameters =
+      parameters_for("labels.tif", {Kind::signed_integer, 4}, labels_of, {7, 4, 3});
+  parameters.segmentation.method = Method::labels;
+  image::ImageSummary summary;
+  const image::LabelVolume labels = image::read_labels(world, parameters, folder(), &summary);
+  EXPECT_EQ(summary.type.name(), "32-bit signed integer");
+  const auto fractions = image::volume_fractions(world, labels);
+  ASSERT_EQ(fractions.size(), 4u);
+  EXPECT_DOUBLE_EQ(fractions.at(-1), 3.0 / 7.0);
+  EXPECT_DOUBLE_EQ(fractions.at(2147483647), 1.0 / 21.0);
+}
+
+TEST(Segmentation, AValueThatIsNoLabelIsNamedWithItsPlace) {
+  const base::Communicator world = base::Communicator::world();
+  for (const double bad : {0.5, -2.0}) {
+    const auto values = [&](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t) {
+      return x == 3 && y == 2 && z == 1 ? bad : 1.0;
+    };
+    image::ImageParameters parameters =
+        parameters_for("bad_labels.tif", {Kind::floating, 4}, values, {7, 4, 3});
+    parameters.segmentation.method = Method::labels;
+    try {
+      image::read_labels(world, parameters, folder());
+      FAIL() << "no error";
+    } catch (const base::InputError& error) {
+      const std::string said = error.what();
+      EXPECT_NE(said.find("(3, 2, 1)"), std::string::npos) << said;
+      EXPECT_NE(said.find("bad_labels.tif"), std::string::npos) << said;
+    }
+    world.barrier();
+  }
+}
+
+TEST(Segmentation, RegionSmoothingAndSmallObjects) {
+  const base::Communicator world = base::Communicator::world();
+  // A block of 4 x 4 x 4 and a loose bright voxel in the dark.
+  const auto blocks = [](std::int64_t x, std::int64_t y, std::int64_t z, std::int64_t) {
+    const bool block = x >= 8 && x < 12 && y >= 8 && y < 12 && z >= 3 && z < 7;
+    return block || (x == 3 && y == 3 && z == 3) ? 200.0 : 10.0;
+  };
+  image::ImageParameters parameters =
+      parameters_for("blocks.tif", {Kind::unsigned_integer, 1}, blocks, {16, 16, 10});
+  image::ImageSummary summary;
+  const auto count = [&] {
+    const image::LabelVolume labels = image::read_labels(world, parameters, folder(), &summary);
+    std::int64_t ones = 0;
+    for (const std::int32_t label : labels.values) ones += label;
+    return world.sum(ones);
+  };
+  EXPECT_EQ(count(), 65);  // Otsu
+  parameters.segmentation.smallest_object = 2;
+  EXPECT_EQ(count(), 64);
+  EXPECT_EQ(summary.notes.back(), "objects of fewer than 2 voxels removed: 1");
+  parameters.segmentation.smallest_object = 0;
+  parameters.segmentation.method = Method::threshold;
+  parameters.segmentation.threshold = 100.0;
+  parameters.segmentation.smoothing = 1.0;  // the loose voxel sinks below the threshold
+  const std::int64_t smoothed = count();
+  EXPECT_LE(smoothed, 64);
+  EXPECT_GE(smoothed, 8);
+  parameters.segmentation.smoothing = 0.0;
+  parameters.region = {{10, 0, 5, 6, 16, 5}};
+  EXPECT_EQ(count(), 2 * 4 * 2);
+  EXPECT_EQ(summary.size, (std::array<std::int64_t, 3>{6, 16, 5}));
+  EXPECT_EQ(summary.file_size, (std::array<std::int64_t, 3>{16, 16, 10}));
+}
+
+}  // namespace
+}  // namespace stroma::test
