@@ -81,10 +81,12 @@ struct GreyVessels {
   int otsu_threshold = 0;
 };
 
-/// The network of make_vessels, blurred by a Gaussian point spread function (0.4 um in the
-/// plane, 1.2 um along z) and with the noise of a detector (Poisson, then Gaussian read noise). The
-/// blur narrows thin tubes under any threshold; the tubes are therefore drawn wider by a common
-/// factor until the fraction above Otsu's threshold meets the request to 0.02 %. Collective.
+/// The network of make_vessels, blurred by a Gaussian point spread function (0.4 um in the plane,
+/// 1.2 um along z) and with the noise of a detector (Poisson, then Gaussian read noise). Blur and
+/// noise shift the edge of thin tubes under any threshold; the radii of the tubes are therefore
+/// scaled by a common factor until the fraction above Otsu's threshold meets the request to 0.02 %
+/// of the volume. Collective.
+/// \throws base::InputError as make_vessels
 GreyVessels make_grey_vessels(const base::Communicator& communicator,
                               const VesselParameters& parameters);
 
