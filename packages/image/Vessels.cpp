@@ -72,36 +72,58 @@ double factor_for(const base::Communicator& communicator, const Volume<float>& f
   return high;
 }
 
+[[noreturn]] void does_not_fit(const VesselParameters& p) {
+  throw base::InputError(
+      base::format("a vessel network of volume fraction %.4g cannot be made to 0.2 %% in a box of "
+                   "%lld x %lld x %lld voxels; take a "
+                   "larger box or another fraction",
+                   p.fraction, static_cast<long long>(p.size[0]), static_cast<long long>(p.size[1]),
+                   static_cast<long long>(p.size[2])));
+}
+
 /// The distance field of a network that can reach the fraction, and a little more, with a common
-/// factor near 1.
+/// factor near 1. A slice or another thin box is cut from the middle of a thicker network.
 Volume<float> network_field(const base::Communicator& communicator,
                             const VesselParameters& parameters) {
-  const double size = *std::max_element(parameters.voxel_size.begin(), parameters.voxel_size.end());
-  NetworkParameters network{};
-  double box_volume = 1.0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    network.box[a] = static_cast<double>(parameters.size[a]) * parameters.voxel_size[a];
-    box_volume *= network.box[a];
-  }
+  const double voxel =
+      *std::max_element(parameters.voxel_size.begin(), parameters.voxel_size.end());
+  std::array<double, 3> box{};
+  for (std::size_t a = 0; a < 3; ++a)
+    box[a] = static_cast<double>(parameters.size[a]) * parameters.voxel_size[a];
   // Microvessels: capillaries of 5 um, trunks of 18 um; but nothing thinner than 3 voxels, and
   // nothing that fills a small box.
-  const double room = 0.18 * std::sqrt(network.box[0] * network.box[1]);
-  network.largest_radius = std::max(std::min(9.0, room), 2.5 * size);
-  network.smallest_radius = std::max(std::min(2.5, 0.5 * network.largest_radius), 1.5 * size);
+  NetworkParameters network{};
+  const double room = 0.18 * std::sqrt(box[0] * box[1]);
+  network.largest_radius = std::max(std::min(9.0, room), 2.5 * voxel);
+  network.smallest_radius = std::max(std::min(2.5, 0.5 * network.largest_radius), 1.5 * voxel);
   network.seed = static_cast<std::uint64_t>(parameters.seed);
+  std::array<double, 3> corner{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    network.box[a] = std::max(box[a], 4.0 * network.largest_radius);
+    corner[a] = 0.5 * (network.box[a] - box[a]);
+  }
   // Tubes laid at random overlap: a share of 1 - exp(-V) is covered by a volume of V.
-  network.tube_volume = -std::log(1.0 - parameters.fraction) * box_volume;
+  network.tube_volume =
+      -std::log(1.0 - parameters.fraction) * network.box[0] * network.box[1] * network.box[2];
   for (int attempt = 0; attempt < 6; ++attempt) {
     Volume<float> field(communicator, parameters.size, parameters.voxel_size);
     std::fill(field.values.begin(), field.values.end(), 1e9f);
-    for (const TubeSegment& segment : grow_network(network)) draw(segment, field);
+    for (TubeSegment segment : grow_network(network)) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        segment.from[a] -= corner[a];
+        segment.to[a] -= corner[a];
+      }
+      draw(segment, field);
+    }
     if (fraction_below(communicator, field, 0.8 * widest) > parameters.fraction) return field;
     network.tube_volume *= 1.3;
   }
-  throw base::InputError(base::format(
-      "a vessel network of volume fraction %.4g does not fit a box of %g x %g x %g um; "
-      "take a larger box or a smaller fraction",
-      parameters.fraction, network.box[0], network.box[1], network.box[2]));
+  does_not_fit(parameters);
+}
+
+/// The fraction that a user asked for, or none. \throws base::InputError
+void require_fraction(double reached, const VesselParameters& parameters) {
+  if (std::abs(reached - parameters.fraction) > 0.002) does_not_fit(parameters);
 }
 
 void check(const VesselParameters& p) {
@@ -182,6 +204,7 @@ LabelVolume make_vessels(const base::Communicator& communicator,
   LabelVolume labels(communicator, parameters.size, parameters.voxel_size);
   std::transform(field.values.begin(), field.values.end(), labels.values.begin(),
                  [&](float value) { return value < bound ? 1 : 0; });
+  require_fraction(fraction_below(communicator, field, factor), parameters);
   return labels;
 }
 
@@ -205,6 +228,7 @@ GreyVessels make_grey_vessels(const base::Communicator& communicator,
     if (std::abs(error) < 2e-4) break;
     drawn = std::clamp(drawn - error, 1e-6, 0.95);
   }
+  require_fraction(best.otsu_fraction, parameters);
   return best;
 }
 

@@ -104,6 +104,21 @@ TEST(Vessels, LabelsReachTheFraction) {
   }
 }
 
+// A single slice, for plane strain, is cut from a thicker network.
+TEST(Vessels, OneSliceReachesTheFractionToo) {
+  image::VesselParameters parameters;
+  parameters.size = {200, 180, 1};
+  EXPECT_NEAR(image::volume_fractions(world(), image::make_vessels(world(), parameters)).at(1),
+              0.194, 5e-4);
+  EXPECT_NEAR(image::make_grey_vessels(world(), parameters).otsu_fraction, 0.194, 0.002);
+}
+
+TEST(Vessels, AFractionThatABoxCannotHoldIsRefused) {
+  image::VesselParameters parameters;
+  parameters.size = {2, 2, 2};
+  EXPECT_THROW(image::make_vessels(world(), parameters), base::InputError);
+}
+
 // A network, not a heap of grains: few objects, and the largest holds much of it.
 TEST(Vessels, AreConnectedTubes) {
   const image::LabelVolume labels = image::make_vessels(world(), small_network());
