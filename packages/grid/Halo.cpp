@@ -5,19 +5,23 @@
 namespace stroma::grid {
 namespace {
 
-RCP<const Map> map_of(const base::Communicator& communicator, const Partition& partition,
-                      const Box& nodes, bool contiguous) {
-  const auto invalid = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  if (contiguous) {
-    return Teuchos::rcp(new Map(invalid, static_cast<std::size_t>(3 * nodes.count()), 0,
-                                teuchos(communicator)));
-  }
+RCP<const Map> make_owned_map(const base::Communicator& communicator, const Partition& partition) {
+  const Box nodes = partition.owned_nodes(communicator.rank());
+  return Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                              static_cast<std::size_t>(3 * nodes.count()), 0,
+                              teuchos(communicator)));
+}
+
+RCP<const Map> make_touched_map(const RCP<const Map>& owned, const Partition& partition, int rank) {
+  if (partition.ranks() == 1) return owned;
+  const Box nodes = partition.touched_nodes(rank);
   Teuchos::Array<GlobalOrdinal> unknowns;
   unknowns.reserve(3 * nodes.count());
   for_each_index(nodes, [&](const Index3& node) {
     for (int c = 0; c < 3; ++c) unknowns.push_back(3 * partition.node_number(node) + c);
   });
-  return Teuchos::rcp(new Map(invalid, unknowns(), 0, teuchos(communicator)));
+  return Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), unknowns(),
+                              0, owned->getComm()));
 }
 
 }  // namespace
@@ -39,11 +43,8 @@ ConstNodeView node_view(const Vector& vector) {
 Halo::Halo(const base::Communicator& communicator, const Partition& partition)
     : communicator_(communicator),
       partition_(partition),
-      owned_(map_of(communicator, partition, partition.owned_nodes(communicator.rank()), true)),
-      touched_(communicator.size() == 1
-                   ? owned_
-                   : map_of(communicator, partition, partition.touched_nodes(communicator.rank()),
-                            false)),
+      owned_(make_owned_map(communicator, partition)),
+      touched_(make_touched_map(owned_, partition, communicator.rank())),
       import_(Teuchos::rcp(new Tpetra::Import<>(owned_, touched_))),
       gathered_(touched_),
       contributed_(touched_) {}

@@ -48,7 +48,8 @@ class Halo {
 NodeView node_view(Vector& vector);
 ConstNodeView node_view(const Vector& vector);
 
-/// Teuchos communicator over the same ranks.
+/// A new Teuchos communicator over the same ranks. Objects that exchange messages share one (that of
+/// the owned map): each counts its own message tags.
 RCP<const Teuchos::Comm<int>> teuchos(const base::Communicator& communicator);
 
 }  // namespace stroma::grid

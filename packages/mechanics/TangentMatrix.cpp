@@ -19,7 +19,7 @@ grid::RCP<const grid::Map> node_map(const grid::Halo& halo, const std::vector<gr
   Teuchos::Array<grid::GlobalOrdinal> numbers;
   for (const auto& node : nodes) numbers.push_back(halo.partition().node_number(node));
   return Teuchos::rcp(new grid::Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                    numbers(), 0, grid::teuchos(halo.communicator())));
+                                    numbers(), 0, halo.owned_map()->getComm()));
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ void TangentMatrix::build_graph() {
 
   const auto column_map = Teuchos::rcp(
       new grid::Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), column_unknowns(), 0,
-                    grid::teuchos(halo_->communicator())));
+                    halo_->owned_map()->getComm()));
   const auto graph = Teuchos::rcp(new Graph(halo_->owned_map(), column_map,
                                             LocalGraph::row_map_type(row_begin_), entries));
   graph->fillComplete(halo_->owned_map(), halo_->owned_map());

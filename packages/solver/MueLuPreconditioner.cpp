@@ -43,6 +43,14 @@ class MueLuPreconditioner : public Preconditioner {
     list_.set("smoother: type", "RELAXATION");
     list_.sublist("smoother: params").set("relaxation: type", "Symmetric Gauss-Seidel");
     list_.sublist("smoother: params").set("relaxation: sweeps", 1);
+    if (balance.halo().communicator().size() > 1) {
+      // Not MueLu's default, Amesos2's KLU2: see DirectPreconditioner.cpp. Coarsened to a few
+      // aggregates, the coarsest grid is solved well enough by sweeps.
+      list_.set("coarse: max size", 100);
+      list_.set("coarse: type", "RELAXATION");
+      list_.sublist("coarse: params").set("relaxation: type", "Symmetric Gauss-Seidel");
+      list_.sublist("coarse: params").set("relaxation: sweeps", 20);
+    }
     if (parameters.muelu != Teuchos::null) list_.setParameters(*parameters.muelu);
   }
 
