@@ -1,0 +1,137 @@
+#pragma once
+
+/// \file
+/// Small bodies for tests: a grid, an image made by a function, particles, and the balance of
+/// momentum.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "mechanics/MomentumBalance.hpp"
+#include "particles/Seeding.hpp"
+
+namespace stroma::test {
+
+/// What a small body is made of. The defaults are the block A of the reference solutions.
+struct Specimen {
+  grid::Index3 elements{4, 4, 4};
+  std::array<double, 3> spacing{2.1, 2.1, 2.0};  ///< [um]
+  std::array<std::int64_t, 3> voxels_per_element{2, 2, 2};
+  std::function<std::int32_t(const grid::Index3&)> label;  ///< of a voxel; none: all 0
+  particles::ParticleParameters layout{particles::Layout::gauss, 1, 2};
+  std::vector<material::NeoHookean> laws{{520.8, 2430.4}, {1041.6, 4860.8}};  ///< of labels 0 and 1
+  mechanics::NamedConditions conditions;
+  bool plane_strain = false;
+
+  grid::Grid grid() const {
+    grid::Grid grid;
+    grid.elements = elements;
+    grid.spacing = spacing;
+    return grid;
+  }
+
+  image::LabelVolume labels(const base::Communicator& communicator) const {
+    std::array<std::int64_t, 3> size;
+    std::array<double, 3> voxel_size;
+    for (std::size_t d = 0; d < 3; ++d) {
+      size[d] = elements[d] * voxels_per_element[d];
+      voxel_size[d] = spacing[d] / static_cast<double>(voxels_per_element[d]);
+    }
+    image::LabelVolume volume(communicator, size, voxel_size);
+    if (!label) return volume;
+    std::size_t n = 0;
+    for (std::int64_t k = 0; k < volume.planes; ++k)
+      for (std::int64_t j = 0; j < size[1]; ++j)
+        for (std::int64_t i = 0; i < size[0]; ++i)
+          volume.values[n++] = label({i, j, volume.first_plane + k});
+    return volume;
+  }
+
+  grid::Partition partition(const base::Communicator& communicator) const {
+    return grid::Partition::balanced(
+        grid(), communicator.size(),
+        particles::layer_weights(communicator, grid(), labels(communicator)));
+  }
+
+  particles::Particles<grid::Device> particles(const base::Communicator& communicator) const {
+    std::map<std::int32_t, int> material_of_label;
+    for (std::size_t m = 0; m < laws.size(); ++m)
+      material_of_label[static_cast<std::int32_t>(m)] = static_cast<int>(m);
+    return particles::seed(communicator, layout, partition(communicator), labels(communicator),
+                           material_of_label);
+  }
+
+  std::unique_ptr<mechanics::MomentumBalance> balance(
+      const base::Communicator& communicator) const {
+    return std::make_unique<mechanics::MomentumBalance>(communicator, partition(communicator),
+                                                        particles(communicator), laws, conditions,
+                                                        plane_strain);
+  }
+};
+
+/// Label 1 in two crossing bars, 0 elsewhere; for images of 8 voxels and more per direction.
+inline std::int32_t crossing_bars(const grid::Index3& voxel) {
+  const bool along_y = voxel[0] >= 2 && voxel[0] < 5 && voxel[2] >= 3 && voxel[2] < 6;
+  const bool along_x = voxel[1] >= 3 && voxel[1] < 5 && voxel[2] >= 2 && voxel[2] < 5;
+  return along_y || along_x ? 1 : 0;
+}
+
+/// A condition on a face that holds components, or moves them by a displacement [um].
+inline mechanics::BoundaryCondition hold(mechanics::Face face, const std::string& components) {
+  mechanics::BoundaryCondition condition;
+  condition.face = face;
+  condition.components = components;
+  return condition;
+}
+inline mechanics::BoundaryCondition stretch(mechanics::Face face, const std::string& components,
+                                            double strain) {
+  mechanics::BoundaryCondition condition = hold(face, components);
+  condition.strain = strain;
+  return condition;
+}
+
+/// Clamped at y-, pulled at the clamped y+.
+inline mechanics::NamedConditions clamped(double strain) {
+  return {{"bottom", hold(mechanics::Face::y_lower, "xyz")},
+          {"top", stretch(mechanics::Face::y_upper, "xyz", strain)}};
+}
+
+/// Sets a vector of unknowns from a function value(node, component).
+template <class Function>
+void fill(const grid::Halo& halo, grid::Vector& vector, const Function& value) {
+  const grid::Box owned = halo.partition().owned_nodes(halo.communicator().rank());
+  const auto values = vector.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  grid::for_each_index(owned, [&](const grid::Index3& node) {
+    for (int c = 0; c < 3; ++c) values(3 * owned.local(node) + c, 0) = value(node, c);
+  });
+}
+
+/// Calls visit(node, component, value) for each unknown that this rank owns.
+template <class Function>
+void for_each_unknown(const grid::Halo& halo, const grid::Vector& vector, const Function& visit) {
+  const grid::Box owned = halo.partition().owned_nodes(halo.communicator().rank());
+  const auto values = vector.getLocalViewHost(Tpetra::Access::ReadOnly);
+  grid::for_each_index(owned, [&](const grid::Index3& node) {
+    for (int c = 0; c < 3; ++c) visit(node, c, values(3 * owned.local(node) + c, 0));
+  });
+}
+
+/// A number between -1 and 1 that depends on node and component alone, without pattern.
+inline double scatter(const grid::Index3& node, int component, int seed = 0) {
+  const auto n = static_cast<double>(node[0] + 31 * node[1] + 977 * node[2] + 7919 * component);
+  const double x = std::sin(12.9898 * n + 78.233 * (seed + 1)) * 43758.5453;
+  return 2.0 * (x - std::floor(x)) - 1.0;
+}
+
+/// u = G (X - origin), at a node.
+inline double linear_field(const grid::Grid& grid, const std::array<double, 9>& G,
+                           const grid::Index3& node, int component) {
+  const auto x = grid.node_position(node);
+  double sum = 0.0;
+  for (std::size_t d = 0; d < 3; ++d)
+    sum += G[static_cast<std::size_t>(3 * component) + d] * (x[d] - grid.origin[d]);
+  return sum;
+}
+
+}  // namespace stroma::test

@@ -1,0 +1,84 @@
+/// \file
+/// Every preconditioner leads to the same displacement. Claim V-LIN-1, docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include "solver/NewtonSolver.hpp"
+#include "solver/Preconditioner.hpp"
+#include "support/Specimen.hpp"
+
+namespace stroma::solver {
+namespace {
+
+using test::Specimen;
+
+base::Communicator world() { return base::Communicator::world(); }
+
+struct Outcome {
+  grid::Vector u;
+  NewtonResult result;
+};
+
+Outcome solve(mechanics::MomentumBalance& balance, PreconditionerKind kind) {
+  SolverParameters parameters;
+  parameters.preconditioner = kind;
+  parameters.newton_tolerance = 1e-11;
+  parameters.linear_tolerance = 1e-8;
+  NewtonSolver newton(parameters, balance);
+  Outcome outcome{grid::Vector(balance.owned_map()), {}};
+  grid::Vector change(balance.owned_map());
+  balance.supports().impose(1.0, change);
+  newton.predict(outcome.u, change);
+  outcome.result = newton.solve(outcome.u);
+  return outcome;
+}
+
+void expect_same_answers(const Specimen& specimen) {
+  const auto balance = specimen.balance(world());
+  const Outcome direct = solve(*balance, PreconditionerKind::direct);
+  const double size = direct.u.normInf();
+  ASSERT_GT(size, 0.0);
+  // Two iterations at most for each linear solve: the factorisation is exact.
+  EXPECT_LE(direct.result.linear_iterations, 2 * (direct.result.iterations + 1));
+  for (const auto kind :
+       {PreconditionerKind::jacobi, PreconditionerKind::chebyshev, PreconditionerKind::multigrid}) {
+    Outcome other = solve(*balance, kind);
+    EXPECT_EQ(other.result.iterations, direct.result.iterations);
+    // Multigrid is a factorisation too where the problem is small enough for its coarsest level.
+    EXPECT_GE(other.result.linear_iterations, direct.result.linear_iterations);
+    other.u.update(-1.0, direct.u, 1.0);
+    EXPECT_LT(other.u.normInf(), 1e-9 * size) << "preconditioner " << static_cast<int>(kind);
+  }
+}
+
+TEST(Preconditioner, AllLeadToTheSameDisplacement) {
+  Specimen specimen;
+  specimen.elements = {6, 6, 6};
+  specimen.label = test::crossing_bars;
+  specimen.conditions = test::clamped(0.1);
+  expect_same_answers(specimen);
+}
+
+// Empty space, rollers and held rigid motions: rows of the matrix that hold only a diagonal.
+TEST(Preconditioner, AllCopeWithNodesOutsideTheBody) {
+  Specimen specimen;
+  specimen.elements = {5, 5, 5};
+  specimen.label = [](const grid::Index3& voxel) {
+    return voxel[0] >= 6 && voxel[2] >= 6 ? -1 : 0;
+  };
+  specimen.conditions = {{"bottom", test::hold(mechanics::Face::y_lower, "y")},
+                         {"top", test::stretch(mechanics::Face::y_upper, "y", 0.1)}};
+  expect_same_answers(specimen);
+}
+
+TEST(Preconditioner, AllCopeWithPlaneStrain) {
+  Specimen specimen;
+  specimen.elements = {8, 8, 1};
+  specimen.label = test::crossing_bars;
+  specimen.plane_strain = true;
+  specimen.conditions = test::clamped(0.1);
+  expect_same_answers(specimen);
+}
+
+}  // namespace
+}  // namespace stroma::solver
