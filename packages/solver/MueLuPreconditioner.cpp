@@ -44,12 +44,16 @@ class MueLuPreconditioner : public Preconditioner {
     list_.sublist("smoother: params").set("relaxation: type", "Symmetric Gauss-Seidel");
     list_.sublist("smoother: params").set("relaxation: sweeps", 1);
     if (balance.halo().communicator().size() > 1) {
+      // Gauss-Seidel sees its own rank alone: between ranks it is a Jacobi method, which need not
+      // converge. The l1 form adds to the diagonal what it does not see, and does.
+      list_.sublist("smoother: params").set("relaxation: use l1", true);
       // Not MueLu's default, Amesos2's KLU2: see DirectPreconditioner.cpp. Coarsened to a few
       // aggregates, the coarsest grid is solved well enough by sweeps.
       list_.set("coarse: max size", 100);
       list_.set("coarse: type", "RELAXATION");
       list_.sublist("coarse: params").set("relaxation: type", "Symmetric Gauss-Seidel");
       list_.sublist("coarse: params").set("relaxation: sweeps", 20);
+      list_.sublist("coarse: params").set("relaxation: use l1", true);
     }
     if (parameters.muelu != Teuchos::null) list_.setParameters(*parameters.muelu);
   }
