@@ -1,0 +1,115 @@
+#pragma once
+
+/// \file
+/// Runs the program as a user does, and reads the table it leaves.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace stroma::test {
+
+namespace fs = std::filesystem;
+
+inline std::string content_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// An empty folder that goes away with the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "stroma_test_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+  /// Writes a text file into the folder.
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int status;
+  std::string standard_output;
+  std::string standard_error;
+};
+
+inline std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+/// Runs `stroma ARGUMENTS` in a folder: alone, or under mpirun on several ranks; never as a rank of
+/// the MPI job that runs the test, whose environment it must not see.
+inline Outcome run_stroma(const fs::path& folder, const std::string& arguments, int ranks = 1) {
+  const TemporaryFolder capture;
+  const fs::path output = capture / "output", error = capture / "error";
+  std::string line =
+      "cd " + quoted(folder) +
+      " && env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" "
+      "OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+      "OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_hwloc_base_binding_policy=none ";
+  if (ranks > 1) {
+    line += "mpirun --oversubscribe -np " + std::to_string(ranks) + " ";
+  } else {  // one rank needs no daemon and no network
+    line += "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self ";
+  }
+  line +=
+      quoted(STROMA_EXECUTABLE) + " " + arguments + " > " + quoted(output) + " 2> " + quoted(error);
+  const int result = std::system(line.c_str());
+  return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, content_of(output), content_of(error)};
+}
+
+/// The columns of a history.csv by name; element s is the row of step s.
+class History {
+ public:
+  explicit History(const fs::path& path) {
+    std::ifstream file(path);
+    std::string line;
+    std::getline(file, line);
+    std::stringstream header(line);
+    for (std::string name; std::getline(header, name, ',');) names_.push_back(name);
+    while (std::getline(file, line)) {
+      std::stringstream row(line);
+      std::size_t column = 0;
+      for (std::string value; std::getline(row, value, ','); ++column)
+        columns_[names_.at(column)].push_back(std::stod(value));
+    }
+  }
+
+  const std::vector<double>& operator[](const std::string& name) const {
+    const auto found = columns_.find(name);
+    if (found == columns_.end()) throw std::runtime_error("history.csv has no column " + name);
+    return found->second;
+  }
+  bool has(const std::string& name) const { return columns_.count(name) > 0; }
+  const std::vector<std::string>& names() const { return names_; }
+  std::size_t rows() const { return columns_.empty() ? 0 : columns_.begin()->second.size(); }
+
+ private:
+  std::vector<std::string> names_;
+  std::map<std::string, std::vector<double>> columns_;
+};
+
+}  // namespace stroma::test

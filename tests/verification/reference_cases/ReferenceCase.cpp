@@ -1,0 +1,123 @@
+#include "ReferenceCase.hpp"
+
+#include "image/WriteTiff.hpp"
+
+namespace stroma::test {
+namespace {
+
+std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
+}
+
+std::vector<CaseCondition> conditions_of(const std::string& name) {
+  const auto strain = [](const char* value) { return parameter("Strain", "double", value); };
+  switch (name.front()) {
+    case 'C':  // rollers, symmetry planes
+      return {{"bottom", "y-", "y", "", "F_y0"},
+              {"top", "y+", "y", strain("0.10"), "F_y1"},
+              {"left", "x-", "x", "", ""},
+              {"back", "z-", "z", "", ""}};
+    case 'E':
+      break;
+    default:  // clamped grips
+      return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", strain("0.10"), "F_y1"}};
+  }
+  if (name == "E_confined_compression") {
+    return {{"bottom", "y-", "y", "", "F_y0"}, {"top", "y+", "y", strain("-0.20"), "F_y1"},
+            {"left", "x-", "x", "", ""},       {"right", "x+", "x", "", ""},
+            {"back", "z-", "z", "", ""},       {"front", "z+", "z", "", ""}};
+  }
+  // Simple shear on the whole boundary. A force at an edge counts for the condition named first.
+  const std::string shear =
+      parameter("Displacement Gradient", "Array(double)", "{0, 0.2, 0, 0, 0, 0, 0, 0, 0}");
+  std::vector<CaseCondition> all;
+  for (const auto& [face, reference] :
+       {std::pair{"y+", "F_y1"}, {"y-", "F_y0"}, {"x-", ""}, {"x+", ""}, {"z-", ""}, {"z+", ""}})
+    all.push_back({std::string("face ") + face, face, "xyz", shear, reference});
+  return all;
+}
+
+}  // namespace
+
+fs::path reference_file(const std::string& name) {
+  return fs::path(STROMA_SHARED_DIR) / "reference" / (name + ".json");
+}
+
+ReferenceCase::ReferenceCase(const std::string& file)
+    : json_(nlohmann::json::parse(content_of(reference_file(file)))),
+      name_(file),
+      elements_(json_.at("grid").at("n_cells").get<std::array<std::int64_t, 3>>()),
+      element_size_(json_.at("grid").at("cell_um").get<std::array<double, 3>>()),
+      conditions_(conditions_of(file)) {}
+
+std::int64_t ReferenceCase::particle_id(std::int64_t element, std::int64_t point) const {
+  const std::int64_t i = element % elements_[0], j = element / elements_[0] % elements_[1],
+                     k = element / (elements_[0] * elements_[1]);
+  return (2 * i + point % 2) +
+         2 * elements_[0] * ((2 * j + point / 2 % 2) + 2 * elements_[1] * (2 * k + point / 4));
+}
+
+bool ReferenceCase::is_vessel(std::int64_t element, int point) const {
+  const auto& pattern = json_.at("pattern");
+  if (!pattern.contains("vessel_flags_per_cell_bitmask")) return false;
+  const auto flags =
+      pattern.at("vessel_flags_per_cell_bitmask").at(static_cast<std::size_t>(element)).get<int>();
+  return (flags >> point & 1) != 0;
+}
+
+void ReferenceCase::write_labels(const fs::path& path) const {
+  image::Volume<std::uint8_t> labels(
+      base::Communicator::self(), {2 * elements_[0], 2 * elements_[1], 2 * elements_[2]},
+      {element_size_[0] / 2, element_size_[1] / 2, element_size_[2] / 2});
+  const std::int64_t elements = elements_[0] * elements_[1] * elements_[2];
+  for (std::int64_t e = 0; e < elements; ++e)
+    for (int p = 0; p < 8; ++p)
+      labels.values[static_cast<std::size_t>(particle_id(e, p))] = is_vessel(e, p) ? 1 : 0;
+  image::write_tiff(base::Communicator::self(), path.string(), labels);
+}
+
+fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
+  write_labels(folder / "labels.tif");
+  const auto sized = [](const std::array<double, 3>& a, double factor) {
+    std::ostringstream text;
+    text.precision(17);
+    text << "{" << a[0] * factor << ", " << a[1] * factor << ", " << a[2] * factor << "}";
+    return text.str();
+  };
+  const auto list = [](const std::string& name, const std::string& content) {
+    return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
+  };
+  const auto material = [&](const char* label, const char* mu) {
+    return parameter("Label", "int", label) + parameter("Shear Modulus [Pa]", "double", mu) +
+           parameter("Poisson Ratio", "double", "0.4");
+  };
+  const bool gauss = json_.at("quadrature").at("name") == "gauss2";
+  std::string boundary;
+  for (const CaseCondition& condition : conditions_)
+    boundary += list(condition.name, parameter("Face", "string", condition.face) +
+                                         parameter("Components", "string", condition.components) +
+                                         condition.load);
+  return folder.write(
+      name_ + ".xml",
+      list(
+          "Stroma",
+          list("Image",
+               parameter("File", "string", "labels.tif") +
+                   parameter("Voxel Size [um]", "Array(double)", sized(element_size_, 0.5)) +
+                   list("Segmentation", parameter("Method", "string", "Labels"))) +
+              list("Materials", list("collagen", material("0", "520.8")) +
+                                    list("vessel", material("1", "1041.6"))) +
+              list("Particles", parameter("Layout", "string", gauss ? "Gauss" : "Voxel Centers")) +
+              list("Grid",
+                   parameter("Element Size [um]", "Array(double)", sized(element_size_, 1.0)) +
+                       parameter("Plane Strain", "bool", name_.front() == 'D' ? "true" : "false")) +
+              list("Boundary Conditions", boundary) +
+              list("Loading", parameter("Steps", "int", "10")) +
+              list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
+                                 parameter("Linear Tolerance", "double", "1e-8") +
+                                 parameter("Preconditioner", "string", "Jacobi")) +
+              list("Output", parameter("Particles Every", "int", "0") +
+                                 parameter("Grid Every", "int", "0"))));
+}
+
+}  // namespace stroma::test
