@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, ReferenceCases,
                                            "D_circle8_planestrain_gauss",
                                            "D_circle8_planestrain_voxel", "E_confined_compression",
                                            "E_simple_shear"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& file) { return file.param; });
 
 }  // namespace
 }  // namespace stroma::test

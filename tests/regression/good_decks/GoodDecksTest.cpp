@@ -1,0 +1,220 @@
+/// \file
+/// Every deck of input_decks passes `stroma check` and runs, and what it finds obeys laws that hold
+/// whatever the specimen looks like. No stored results: the laws are
+///
+/// - the supports' forces balance at every step;
+/// - the work of the moving support is the energy stored (trapezoidal rule, error of order
+/// 1/steps^2);
+/// - the materials' volumes at load 0 fill the box;
+/// - the energy lies between bounds: a homogeneous strain is an admissible field, so the energy is
+/// at
+///   most its energy (Voigt); the softer material alone, with faces free to slide, stores less.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "material/NeoHookean.hpp"
+#include "support/Program.hpp"
+
+namespace stroma::test {
+namespace {
+
+const fs::path decks = fs::path(STROMA_SOURCE_DIR) / "input_decks";
+constexpr double strain = 0.1;
+constexpr double vessel_ratio = 2.0;  // of both moduli, in all decks with two materials
+
+enum class Grip { clamped, plane_strain_roller };
+
+struct GoodDeck {
+  std::string folder, file;
+  std::array<double, 3> box;  ///< [um]
+  std::string soft, stiff;    ///< names of the materials
+  material::NeoHookean soft_law;
+  Grip grip;
+  int steps;  ///< to run in this test
+  int ranks;
+};
+
+// The larger decks in fewer steps, for the sake of time.
+const GoodDeck stretched[] = {
+    {"01_first_stretch",
+     "deck.xml",
+     {50.4, 50.4, 24.0},
+     "collagen",
+     "vessel",
+     {520.8, 2430.4},
+     Grip::clamped,
+     5,
+     1},
+    {"02_microvessel_stack",
+     "deck.xml",
+     {134.4, 134.4, 32.0},
+     "collagen",
+     "vessel",
+     {520.8, 2430.4},
+     Grip::clamped,
+     2,
+     2},
+    {"03_paper_slice_phantom",
+     "deck.xml",
+     {268.8, 268.8, 1.0},
+     "collagen",
+     "vessel",
+     {520.8, 1041.6},
+     Grip::plane_strain_roller,
+     10,
+     1},
+    {"05_capillary_block",
+     "deck.xml",
+     {93.0, 93.0, 92.07},
+     "matrix",
+     "capillary",
+     {520.8, 2430.4},
+     Grip::clamped,
+     1,
+     2},
+};
+
+/// A deck's folder as a user has it: where it needs a prepared image, a copy with that image.
+class DeckFolder {
+ public:
+  explicit DeckFolder(const std::string& name) : path_(decks / name) {
+    if (!fs::exists(path_ / "prepare.sh")) return;
+    fs::copy(path_, copy_.path());
+    path_ = copy_.path();
+    const std::string line =
+        "cd " + quoted(path_) +
+        " && env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
+        "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1 bash "
+        "prepare.sh " +
+        quoted(STROMA_EXECUTABLE) + " > /dev/null";
+    EXPECT_EQ(std::system(line.c_str()), 0) << "prepare.sh failed";
+  }
+  fs::path operator/(const std::string& file) const { return path_ / file; }
+
+ private:
+  TemporaryFolder copy_;
+  fs::path path_;
+};
+
+/// Energy per volume of a stretch 1 + e along y, with the widths that make it least where they are
+/// free.
+double energy_of_stretch(const material::NeoHookean& law, double e, bool free_x, bool free_z) {
+  double least = INFINITY;
+  for (double narrowing = 0.0; narrowing <= e; narrowing += e / 4000) {
+    tensor::Tensor3 H;
+    H(0, 0) = free_x ? -narrowing : 0.0;
+    H(1, 1) = e;
+    H(2, 2) = free_z ? -narrowing : 0.0;
+    least = std::min(least, law.energy(H));
+  }
+  return least;
+}
+
+void expect_balance(const History& history) {
+  for (std::size_t s = 0; s < history.rows(); ++s) {
+    const double size = std::abs(history["top.reaction_y"][s]);
+    for (const char* axis : {"x", "y", "z"}) {
+      const std::string reaction = std::string(".reaction_") + axis;
+      EXPECT_NEAR(history["top" + reaction][s] + history["bottom" + reaction][s], 0.0, 1e-7 * size)
+          << axis << ", step " << s;
+    }
+  }
+}
+
+void expect_work_is_energy(const History& history, double way) {
+  double work = 0.0;
+  for (std::size_t s = 1; s < history.rows(); ++s) {
+    EXPECT_GT(history["top.reaction_y"][s], history["top.reaction_y"][s - 1]);
+    work += 0.5 * (history["top.reaction_y"][s] + history["top.reaction_y"][s - 1]) * way *
+            (history["load"][s] - history["load"][s - 1]);
+  }
+  const double steps = static_cast<double>(history.rows() - 1);
+  EXPECT_NEAR(history["strain_energy"].back() / work, 1.0, 0.05 / (steps * steps));
+}
+
+void expect_energy_within_bounds(const GoodDeck& deck, const History& history) {
+  const double soft = history[deck.soft + ".volume"][0], stiff = history[deck.stiff + ".volume"][0];
+  const double box = deck.box[0] * deck.box[1] * deck.box[2];
+  EXPECT_NEAR(soft + stiff, box, 1e-9 * box);
+  EXPECT_GT(stiff, 0.0);
+  const double fraction = stiff / (soft + stiff);
+  const bool rollers = deck.grip == Grip::plane_strain_roller;
+  const double upper = energy_of_stretch(deck.soft_law, strain, rollers, false);
+  const double lower = energy_of_stretch(deck.soft_law, strain, true, !rollers);
+  const double energy = history["strain_energy"].back() / box;
+  EXPECT_GT(energy, lower);
+  EXPECT_LT(energy, (1.0 + fraction * (vessel_ratio - 1.0)) * upper);
+  if (rollers) {  // the homogeneous state is the collagen's own: Reuss and Voigt proper
+    const double reuss = 1.0 / (1.0 - fraction + fraction / vessel_ratio);
+    EXPECT_GT(energy, reuss * lower);
+  }
+  std::printf("  %s: %.2f %% stiff, energy %.4g Pa between %.4g and %.4g\n", deck.folder.c_str(),
+              100 * fraction, energy, lower, (1.0 + fraction * (vessel_ratio - 1.0)) * upper);
+}
+
+class StretchedDeck : public ::testing::TestWithParam<GoodDeck> {};
+
+TEST_P(StretchedDeck, ObeysTheLawsOfMechanics) {
+  const GoodDeck& deck = GetParam();
+  if (deck.folder == "05_capillary_block" && !fs::exists(fs::path(STROMA_SHARED_DIR) / "images"))
+    GTEST_SKIP() << "no image for " << deck.folder;
+  const DeckFolder folder(deck.folder);
+  const TemporaryFolder results;
+  const std::string arguments =
+      quoted(folder / deck.file) + " --set 'Loading|Steps=" + std::to_string(deck.steps) + "'";
+  const Outcome check = run_stroma(results.path(), "check " + arguments);
+  ASSERT_EQ(check.status, 0) << check.standard_error;
+  EXPECT_TRUE(check.standard_error.empty()) << check.standard_error;
+  const Outcome run =
+      run_stroma(results.path(), "run " + arguments + " -o out --quiet", deck.ranks);
+  ASSERT_EQ(run.status, 0) << run.standard_error;
+  const History history(results.path() / "out" / "history.csv");
+  ASSERT_EQ(history.rows(), static_cast<std::size_t>(deck.steps + 1));
+  EXPECT_EQ(history["load"].back(), 1.0);
+  expect_balance(history);
+  expect_work_is_energy(history, strain * deck.box[1]);
+  expect_energy_within_bounds(deck, history);
+  for (const char* picture : {"vessels.png", "von_mises.png", "force.png"})
+    EXPECT_TRUE(fs::exists(results.path() / "out" / picture)) << picture;
+}
+
+INSTANTIATE_TEST_SUITE_P(InputDecks, StretchedDeck, ::testing::ValuesIn(stretched),
+                         [](const auto& deck) { return "deck_" + deck.param.folder; });
+
+// The homogeneous state of simple shear: tau = mu g, and its normal stress -mu g^2 / 3.
+TEST(SimpleShearDeck, HasTheAnswerOnPaper) {
+  const TemporaryFolder results;
+  const std::string deck = quoted(decks / "04_simple_shear" / "deck.yaml");
+  ASSERT_EQ(run_stroma(results.path(), "check " + deck).status, 0);
+  const Outcome run = run_stroma(results.path(), "run " + deck + " -o out --quiet");
+  ASSERT_EQ(run.status, 0) << run.standard_error;
+  const History history(results.path() / "out" / "history.csv");
+  const double mu = 520.8, area = 8.4 * 8.0;
+  for (std::size_t s = 0; s < history.rows(); ++s) {
+    const double g = 0.2 * history["load"][s];
+    EXPECT_NEAR(history["top.reaction_x"][s], mu * g * area, 1e-9 * mu * area);
+    EXPECT_NEAR(history["top.reaction_y"][s], -mu * g * g / 3.0 * area, 1e-9 * mu * area);
+    EXPECT_NEAR(history["strain_energy"][s], 0.5 * mu * g * g * area * 8.4, 1e-9 * mu * area);
+  }
+}
+
+TEST(InputDecks, AllOfThemAreTested) {
+  std::vector<std::string> tested{"04_simple_shear"};
+  for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
+  std::vector<std::string> present;
+  for (const auto& entry : fs::directory_iterator(decks))
+    if (entry.is_directory()) {
+      present.push_back(entry.path().filename().string());
+      EXPECT_TRUE(fs::exists(entry.path() / "README.md")) << entry.path();
+    }
+  std::sort(tested.begin(), tested.end());
+  std::sort(present.begin(), present.end());
+  EXPECT_EQ(present, tested);
+}
+
+}  // namespace
+}  // namespace stroma::test
