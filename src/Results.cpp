@@ -123,14 +123,20 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
     grid_file_.emplace(communicator_, folder_.grid(), part, provenance_,
                        deck_->parameters.output.precision);
   }
-  const auto gathered = [&](const grid::Vector& vector) {
+  const auto gathered = [&](const grid::Vector& vector, double share) {
     const grid::ConstNodeView view = balance.halo().gather(vector);
-    return std::vector<double>(view.data(), view.data() + view.size());
+    std::vector<double> values(view.data(), view.data() + view.size());
+    if (grid.flat) {  // the file's element has its two layers of nodes
+      for (double& value : values) value *= share;
+      values.resize(2 * view.size());
+      std::copy_n(values.begin(), view.size(), values.begin() + static_cast<std::ptrdiff_t>(view.size()));
+    }
+    return values;
   };
   grid::Vector force(balance.owned_map());
   balance.internal_force(u, force);
-  const std::vector<double> displacement = gathered(u);
-  const std::vector<double> residual = gathered(force);
+  const std::vector<double> displacement = gathered(u, 1.0);
+  const std::vector<double> residual = gathered(force, 0.5);
   grid_file_->write(rows_.back().load, displacement.data(), residual.data());
   grid_step_ = rows_.back().step;
 }

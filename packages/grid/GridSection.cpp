@@ -65,6 +65,7 @@ Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& le
         "element size of %.10g um along z, or a Region of the image one slice thick",
         static_cast<long long>(grid.elements[2]), length[2]));
   }
+  grid.flat = parameters.plane_strain;
   return grid;
 }
 

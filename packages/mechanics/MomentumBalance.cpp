@@ -13,6 +13,7 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
   const grid::Box elements = partition.elements(rank);
   transfer::ElementBox box;
   const auto corner = grid.node_position(elements.begin);
+  box.flat = grid.flat;
   for (int d = 0; d < 3; ++d) {
     box.elements[d] = static_cast<int>(elements.extent(d));
     box.corner[d] = corner[d];

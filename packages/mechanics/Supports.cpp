@@ -12,7 +12,8 @@ namespace {
 bool lies_on(Face face, const grid::Index3& node, const grid::Grid& grid) {
   for (int d = 0; d < 3; ++d) {
     if (face != Face::all && axis_of(face) != d) continue;
-    const bool lower = node[d] == 0, upper = node[d] == grid.elements[d];
+    const bool lower = node[d] == 0;
+    const bool upper = node[d] == grid.elements[d] || (grid.flat && d == 2);
     if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) return true;
   }
   return false;
@@ -47,6 +48,13 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions, bo
   std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
   std::int64_t active_nodes = 0;
   base::collectively(communicator, [&] {
+    for (const auto& [name, condition] : conditions) {
+      const auto& G = condition.displacement_gradient;
+      if (is_plane_strain && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
+        throw base::InputError("Boundary Conditions|" + name +
+                               "|Displacement Gradient: displacements that vary along z are not plane "
+                               "strain; admissible: zeros in the third column");
+    }
     grid::for_each_index(owned, [&](const grid::Index3& node) {
       const auto n = static_cast<std::size_t>(owned.local(node));
       const auto x = grid.node_position(node);

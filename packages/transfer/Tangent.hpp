@@ -92,8 +92,8 @@ struct Tangent {
       const int node = elements.node_of(i, j, k, a);
       for (int b = 0; b < n; ++b) {
         const int neighbour = elements.node_of(i, j, k, b);
-        const int s = (b % w - a % w + 1) + 3 * (b / w % w - a / w % w + 1) +
-                      9 * (b / (w * w) - a / (w * w) + 1);
+        const int dz = elements.box.flat ? 0 : b / (w * w) - a / (w * w);
+        const int s = (b % w - a % w + 1) + 3 * (b / w % w - a / w % w + 1) + 9 * (dz + 1);
         double block[3][3];
         for (int c = 0; c < 3; ++c)
           for (int m = 0; m < 3; ++m) block[c][m] = K[a][c][m][b];
