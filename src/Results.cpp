@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/Stage.hpp"
 #include "output/DeckFile.hpp"
 #include "tensor/Tensor3.hpp"
 
@@ -99,6 +100,7 @@ output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fie
 }  // namespace
 
 void Results::write_particles(const transfer::ParticleFields<grid::Device>& fields) {
+  const base::Stage stage("output");
   if (!particle_file_)
     particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                            output::history_columns(conditions_, materials_), provenance_,
@@ -168,6 +170,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
   if (particles_step_ != rows_.back().step) write_particles(fields);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
   const std::vector<output::MovingSupport> moving = moving_supports();
+  std::optional<base::Stage> stage("pictures");
   if (deck_->parameters.output.pictures) {
     std::vector<std::string> notes{
         pictures_.draw_materials(particle_set(), materials_),
@@ -176,6 +179,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
     for (const std::string& note : notes)
       if (!note.empty()) log_->note(note);
   }
+  stage.reset();
   print_table(moving, seconds);
 }
 
@@ -204,7 +208,11 @@ void Results::print_table(const std::vector<output::MovingSupport>& moving, doub
                                          .c_str());
     log_->line(line);
   }
-  log_->line(base::format("\n%.1f s on %d rank%s; results in %s", seconds, communicator_.size(),
+  std::string stages = "\ntime";
+  for (const auto& [stage, spent] : base::stage_seconds(communicator_))
+    stages += base::format("  %s %.2f s", stage.c_str(), spent);
+  log_->line(stages);
+  log_->line(base::format("%.1f s on %d rank%s; results in %s", seconds, communicator_.size(),
                           communicator_.size() == 1 ? "" : "s", folder_.folder().c_str()));
 }
 

@@ -1,17 +1,20 @@
 #include "Specimen.hpp"
 
 #include "base/Error.hpp"
+#include "base/Stage.hpp"
 #include "image/ReadVolume.hpp"
 
 namespace stroma {
 
 image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
                                image::ImageSummary& summary) {
+  const base::Stage stage("image");
   return image::read_labels(communicator, deck.parameters.image, deck.folder, &summary);
 }
 
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                        const image::LabelVolume& labels, const image::ImageSummary& summary) {
+  const base::Stage stage("particles");
   const DeckParameters& p = deck.parameters;
   std::array<double, 3> length;
   for (int d = 0; d < 3; ++d) length[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];

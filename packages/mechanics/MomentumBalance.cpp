@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/Stage.hpp"
 #include "transfer/InternalForce.hpp"
 
 namespace stroma::mechanics {
@@ -92,6 +93,7 @@ MomentumBalance::Elements MomentumBalance::elements(const grid::Vector& u) const
 }
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {
+  const base::Stage stage("internal force");
   const transfer::InternalForce<Shape, Law, Device> kernel{elements(u), law_,
                                                            halo_.contributions()};
   const std::int64_t bad = transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
@@ -107,13 +109,16 @@ std::int64_t MomentumBalance::residual(const grid::Vector& u, grid::Vector& r) c
 }
 
 grid::RCP<Matrix> MomentumBalance::tangent_matrix() {
-  if (!tangent_)
-    tangent_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
+  if (!tangent_) {
+    const base::Stage stage("graph");
+      tangent_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
+  }
   return tangent_->matrix();
 }
 
 std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
   tangent_matrix();
+  const base::Stage stage("tangent");
   const transfer::Tangent<Shape, Law, Device> kernel{elements(u), law_, tangent_->begin()};
   const std::int64_t bad =
       transfer::for_each_element<Shape::width, grid::ExecutionSpace>("tangent", box_, kernel);
@@ -134,6 +139,7 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
 }
 
 transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(const grid::Vector& u) const {
+  const base::Stage stage("grid to particles");
   transfer::ParticleFields<Device> fields(particles_.count());
   const transfer::GridToParticles<Shape, Law, Device> kernel{elements(u), law_, fields};
   transfer::for_each_element<Shape::width, grid::ExecutionSpace>("grid to particles", box_, kernel);

@@ -4,6 +4,7 @@
 #include <BelosTpetraAdapter.hpp>
 
 #include "base/Error.hpp"
+#include "base/Stage.hpp"
 
 namespace stroma::solver {
 
@@ -24,6 +25,7 @@ LinearSolver::LinearSolver(const SolverParameters& parameters,
     : parameters_(parameters), preconditioner_(make_preconditioner(parameters, balance)) {}
 
 void LinearSolver::set_matrix(const grid::RCP<mechanics::Matrix>& matrix) {
+  const base::Stage stage("preconditioner");
   matrix_ = matrix;
   preconditioner_->compute(matrix);
 }
@@ -32,6 +34,7 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
                                  double tolerance) {
   using Problem = Belos::LinearProblem<double, grid::MultiVector, Operator>;
   using Manager = Belos::PseudoBlockCGSolMgr<double, grid::MultiVector, Operator>;
+  const base::Stage stage("linear solve");
   x.putScalar(0.0);
   LinearResult result;
   Teuchos::Array<double> norm(1);
