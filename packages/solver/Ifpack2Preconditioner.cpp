@@ -32,6 +32,7 @@ class Ifpack2Preconditioner : public Preconditioner {
     }
     preconditioner_->compute();
   }
+  bool worth_keeping() const override { return false; }
   grid::RCP<const Operator> apply_inverse() const override { return preconditioner_; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
+#include <algorithm>
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
@@ -25,24 +26,51 @@ LinearSolver::LinearSolver(const SolverParameters& parameters,
     : parameters_(parameters), preconditioner_(make_preconditioner(parameters, balance)) {}
 
 void LinearSolver::set_matrix(const grid::RCP<mechanics::Matrix>& matrix) {
-  const base::Stage stage("preconditioner");
+  const bool is_first = matrix_ == Teuchos::null;
   matrix_ = matrix;
-  preconditioner_->compute(matrix);
+  is_fresh_ = false;
+  const bool works_still = 2 * last_iterations_ <= 3 * iterations_when_fresh_ + 4;
+  if (is_first || !preconditioner_->worth_keeping() || !works_still) renew_preconditioner();
+}
+
+void LinearSolver::renew_preconditioner() {
+  const base::Stage stage("preconditioner");
+  preconditioner_->compute(matrix_);
+  is_fresh_ = true;
+  iterations_when_fresh_ = 0;
 }
 
 LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& x,
                                  double tolerance) {
+  Teuchos::Array<double> norm(1);
+  b.norm2(norm());
+  if (norm[0] == 0.0) {
+    x.putScalar(0.0);
+    LinearResult nothing_to_do;
+    nothing_to_do.converged = true;
+    return nothing_to_do;
+  }
+  LinearResult result;
+  try {
+    result = run_belos(b, x, tolerance);
+  } catch (const base::StepRejected&) {
+    if (is_fresh_) throw;
+  }
+  if (!result.converged && !is_fresh_) {
+    renew_preconditioner();
+    result = run_belos(b, x, tolerance);
+  }
+  last_iterations_ = result.iterations;
+  if (is_fresh_) iterations_when_fresh_ = std::max(iterations_when_fresh_, result.iterations);
+  return result;
+}
+
+LinearResult LinearSolver::run_belos(const grid::MultiVector& b, grid::MultiVector& x,
+                                     double tolerance) {
   using Problem = Belos::LinearProblem<double, grid::MultiVector, Operator>;
   using Manager = Belos::PseudoBlockCGSolMgr<double, grid::MultiVector, Operator>;
   const base::Stage stage("linear solve");
   x.putScalar(0.0);
-  LinearResult result;
-  Teuchos::Array<double> norm(1);
-  b.norm2(norm());
-  if (norm[0] == 0.0) {
-    result.converged = true;
-    return result;
-  }
   const auto problem =
       Teuchos::rcp(new Problem(matrix_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
   problem->setLeftPrec(preconditioner_->apply_inverse());
@@ -53,10 +81,12 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
   list->set("Residual Scaling", "Norm of RHS");
   if (parameters_.belos != Teuchos::null) list->setParameters(*parameters_.belos);
   Manager manager(problem, list);
+  LinearResult result;
   try {
     result.converged = manager.solve() == Belos::Converged;
   } catch (const std::exception&) {
     // Belos throws the same way on all ranks: on p.Kp <= 0, and on a residual that is not a number.
+    total_iterations_ += manager.getNumIters();
     throw base::StepRejected("conjugate gradients met an indefinite tangent or preconditioner");
   }
   result.iterations = manager.getNumIters();

@@ -20,7 +20,8 @@ class LinearSolver {
  public:
   LinearSolver(const SolverParameters& parameters, const mechanics::MomentumBalance& balance);
 
-  /// Adapts the preconditioner to the matrix's present values. Collective.
+  /// The matrix of the solves to come. A costly preconditioner made for earlier values is kept as long
+  /// as it needs at most half as many iterations again as when it was new. Collective.
   void set_matrix(const grid::RCP<mechanics::Matrix>& matrix);
 
   /// Solves from x = 0 until ||residual|| <= tolerance * ||b||. Collective.
@@ -31,10 +32,16 @@ class LinearSolver {
   long long total_iterations() const { return total_iterations_; }
 
  private:
+  void renew_preconditioner();
+  LinearResult run_belos(const grid::MultiVector& b, grid::MultiVector& x, double tolerance);
+
   SolverParameters parameters_;
   std::unique_ptr<Preconditioner> preconditioner_;
   grid::RCP<mechanics::Matrix> matrix_;
   long long total_iterations_ = 0;
+  bool is_fresh_ = false;         // the preconditioner was made for the present values
+  int iterations_when_fresh_ = 0;
+  int last_iterations_ = 0;
 };
 
 }  // namespace stroma::solver
