@@ -16,7 +16,7 @@ struct ElementBox {
   double corner[3];           ///< position of the lower corner of the first element [um]
   double spacing[3];          ///< element size [um]
   double inverse_spacing[3];  ///< [1/um]
-  bool flat;                  ///< plane strain: the upper nodes along z are the lower ones
+  bool flat = false;           ///< plane strain: the upper nodes along z are the lower ones
 
   KOKKOS_INLINE_FUNCTION int element(int i, int j, int k) const {
     return i + elements[0] * (j + elements[1] * k);

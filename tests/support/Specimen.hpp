@@ -28,6 +28,7 @@ struct Specimen {
     grid::Grid grid;
     grid.elements = elements;
     grid.spacing = spacing;
+    grid.flat = plane_strain;
     return grid;
   }
 
@@ -65,8 +66,7 @@ struct Specimen {
   std::unique_ptr<mechanics::MomentumBalance> balance(
       const base::Communicator& communicator) const {
     return std::make_unique<mechanics::MomentumBalance>(communicator, partition(communicator),
-                                                        particles(communicator), laws, conditions,
-                                                        plane_strain);
+                                                        particles(communicator), laws, conditions);
   }
 };
 

@@ -101,6 +101,26 @@ TEST(Partition, ARankTouchesTheNodesOfItsElementsAndNoOthers) {
   });
 }
 
+// Plane strain: one layer of nodes through z, which all elements touch.
+TEST(Partition, AFlatGridHasOneLayerOfNodes) {
+  Grid grid = grid_of({7, 6, 1});
+  grid.flat = true;
+  EXPECT_EQ(grid.all_nodes().count(), 8 * 7);
+  for (const int ranks : {1, 2, 4}) {
+    const Partition partition = Partition::balanced(grid, ranks, even_weights(grid));
+    std::set<std::int64_t> numbers;
+    for (int rank = 0; rank < ranks; ++rank) {
+      EXPECT_EQ(partition.touched_nodes(rank).extent(2), 1);
+      for_each_index(partition.owned_nodes(rank), [&](const Index3& node) {
+        EXPECT_EQ(partition.owner_of_node(node), rank);
+        numbers.insert(partition.node_number(node));
+      });
+    }
+    EXPECT_EQ(numbers.size(), 56u);
+    EXPECT_EQ(*numbers.rbegin(), 55);
+  }
+}
+
 TEST(Partition, CutsBalanceTheWeights) {
   // All weight lies in the first quarter of x: half of it must lie on each side of the cut.
   const Grid grid = grid_of({40, 2, 2});

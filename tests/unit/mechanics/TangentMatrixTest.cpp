@@ -15,8 +15,9 @@ using test::Specimen;
 
 base::Communicator world() { return base::Communicator::world(); }
 
-/// Two materials, empty space in a corner, and faces that hold some components only.
-Specimen mixed_specimen() {
+/// Two materials, empty space in a corner, and faces that hold some components only; as a block, or
+/// as a slice in plane strain, whose upper and lower nodes are one.
+Specimen mixed_specimen(bool slice) {
   Specimen specimen;
   specimen.elements = {5, 4, 6};
   specimen.label = [](const grid::Index3& voxel) {
@@ -25,8 +26,22 @@ Specimen mixed_specimen() {
   specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")},
                          {"side", test::hold(Face::z_lower, "z")},
                          {"top", test::stretch(Face::y_upper, "y", 0.1)}};
+  if (slice) {
+    specimen.elements = {7, 6, 1};
+    specimen.plane_strain = true;
+    specimen.label = [](const grid::Index3& voxel) {
+      return voxel[0] > 9 && voxel[1] > 7 ? -1 : test::crossing_bars({voxel[0], voxel[1], 4});
+    };
+  }
   return specimen;
 }
+
+class AssembledTangent : public ::testing::TestWithParam<bool> {
+ protected:
+  static Specimen specimen() { return mixed_specimen(GetParam()); }
+};
+INSTANTIATE_TEST_SUITE_P(Bodies, AssembledTangent, ::testing::Bool(),
+                         [](const auto& slice) { return slice.param ? "slice" : "block"; });
 
 grid::Vector displacement(const MomentumBalance& balance, int seed, double size) {
   grid::Vector u(balance.owned_map());
@@ -41,8 +56,8 @@ grid::Vector times(MomentumBalance& balance, const grid::Vector& v) {
   return product;
 }
 
-TEST(TangentMatrix, IsTheDerivativeOfTheResidual) {
-  const auto balance = mixed_specimen().balance(world());
+TEST_P(AssembledTangent, IsTheDerivativeOfTheResidual) {
+  const auto balance = specimen().balance(world());
   const grid::Vector u = displacement(*balance, 0, 0.15);
   grid::Vector v = displacement(*balance, 1, 1.0);
   balance->supports().clear(v);
@@ -64,8 +79,8 @@ TEST(TangentMatrix, IsTheDerivativeOfTheResidual) {
   EXPECT_LT(error(1e-5), 1e-7 * Kv.norm2());
 }
 
-TEST(TangentMatrix, AgreesWithTheProductThatFormsNoMatrix) {
-  const auto balance = mixed_specimen().balance(world());
+TEST_P(AssembledTangent, AgreesWithTheProductThatFormsNoMatrix) {
+  const auto balance = specimen().balance(world());
   const grid::Vector u = displacement(*balance, 0, 0.15);
   grid::Vector v = displacement(*balance, 1, 1.0);
   balance->supports().clear(v);
@@ -78,16 +93,16 @@ TEST(TangentMatrix, AgreesWithTheProductThatFormsNoMatrix) {
   EXPECT_LT(product.normInf(), 1e-13 * Kv.normInf());
 }
 
-TEST(TangentMatrix, IsSymmetric) {
-  const auto balance = mixed_specimen().balance(world());
+TEST_P(AssembledTangent, IsSymmetric) {
+  const auto balance = specimen().balance(world());
   balance->assemble_tangent(displacement(*balance, 0, 0.15));
   const grid::Vector v = displacement(*balance, 1, 1.0), w = displacement(*balance, 2, 1.0);
   const grid::Vector Kw = times(*balance, w);
   EXPECT_NEAR(v.dot(Kw), w.dot(times(*balance, v)), 1e-13 * v.norm2() * Kw.norm2());
 }
 
-TEST(TangentMatrix, IsPositiveDefiniteAtRest) {
-  const auto balance = mixed_specimen().balance(world());
+TEST_P(AssembledTangent, IsPositiveDefiniteAtRest) {
+  const auto balance = specimen().balance(world());
   balance->assemble_tangent(grid::Vector(balance->owned_map()));
   for (int seed = 1; seed < 6; ++seed) {
     const grid::Vector v = displacement(*balance, seed, 1.0);
@@ -96,8 +111,8 @@ TEST(TangentMatrix, IsPositiveDefiniteAtRest) {
 }
 
 // Rows and columns of prescribed components hold only a diagonal.
-TEST(TangentMatrix, PrescribedComponentsAreDecoupled) {
-  const auto balance = mixed_specimen().balance(world());
+TEST_P(AssembledTangent, PrescribedComponentsAreDecoupled) {
+  const auto balance = specimen().balance(world());
   balance->assemble_tangent(displacement(*balance, 0, 0.15));
   const grid::Vector all = displacement(*balance, 1, 1.0);
   grid::Vector free(all, Teuchos::Copy);
@@ -115,15 +130,15 @@ TEST(TangentMatrix, PrescribedComponentsAreDecoupled) {
 }
 
 // Every rank also solves the whole problem by itself: the products must agree at its own nodes.
-TEST(TangentMatrix, ProductsDoNotDependOnTheRanks) {
-  const Specimen specimen = mixed_specimen();
-  const auto together = specimen.balance(world());
-  const auto alone = specimen.balance(base::Communicator::self());
+TEST_P(AssembledTangent, ProductsDoNotDependOnTheRanks) {
+  const Specimen body = specimen();
+  const auto together = body.balance(world());
+  const auto alone = body.balance(base::Communicator::self());
   together->assemble_tangent(displacement(*together, 0, 0.15));
   alone->assemble_tangent(displacement(*alone, 0, 0.15));
   const grid::Vector product = times(*together, displacement(*together, 1, 1.0));
   const grid::Vector whole = times(*alone, displacement(*alone, 1, 1.0));
-  const grid::Box nodes = specimen.grid().all_nodes();
+  const grid::Box nodes = body.grid().all_nodes();
   const auto expected = whole.getLocalViewHost(Tpetra::Access::ReadOnly);
   const double size = whole.normInf();
   test::for_each_unknown(together->halo(), product,
@@ -143,8 +158,8 @@ TEST(TangentMatrix, ProductsDoNotDependOnTheRanks) {
 }
 
 // A second assembly at the same place gives the same bits: sums have one order.
-TEST(TangentMatrix, AssemblyIsReproducible) {
-  const auto balance = mixed_specimen().balance(world());
+TEST_P(AssembledTangent, AssemblyIsReproducible) {
+  const auto balance = specimen().balance(world());
   const grid::Vector u = displacement(*balance, 0, 0.15), v = displacement(*balance, 1, 1.0);
   balance->assemble_tangent(u);
   const grid::Vector first = times(*balance, v);
