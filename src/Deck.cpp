@@ -1,9 +1,12 @@
 #include "Deck.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
+#include <utility>
 
-#include "deck/Document.hpp"
 #include "image/ImageSection.hpp"
 
 namespace stroma {
@@ -26,14 +29,41 @@ deck::Section<DeckParameters> deck_section() {
 }
 
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides) {
-  const deck::Document document = deck::load(path, overrides);
-  Deck deck;
-  deck.path = path;
-  deck.folder = document.folder();
-  deck.parameters = deck::read(document, deck_section());
+  deck::Document document = deck::load(path, overrides);
+  DeckParameters parameters = deck::read(document, deck_section());
   std::ifstream file(path);
-  deck.text.assign(std::istreambuf_iterator<char>(file), {});
-  return deck;
+  return {std::move(document), std::move(parameters),
+          std::string(std::istreambuf_iterator<char>(file), {})};
+}
+
+Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
+  DeckParameters parameters = deck.parameters;
+  if (parameters.image.file)
+    parameters.image.file =
+        std::filesystem::absolute(deck.document.resolve(*parameters.image.file)).lexically_normal().string();
+  return deck::filled(deck_section(), parameters);
+}
+
+base::InputError located(const Deck& deck, const base::InputError& error) {
+  static const std::vector<std::string> sections{"Image", "Materials", "Particles", "Grid",
+                                                 "Boundary Conditions", "Loading", "Solver", "Output"};
+  deck::Findings findings(deck.document);
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ");
+    const std::string where = line.substr(0, colon);
+    const std::string section = where.substr(0, where.find('|'));
+    if (colon == std::string::npos ||
+        std::find(sections.begin(), sections.end(), section) == sections.end())
+      return error;
+    findings.add(where, line.substr(colon + 2));
+  }
+  try {
+    findings.throw_if_any();
+  } catch (const base::InputError& with_lines) {
+    return with_lines;
+  }
+  return error;
 }
 
 }  // namespace stroma

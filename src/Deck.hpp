@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "base/Communicator.hpp"
+#include "base/Error.hpp"
+#include "deck/Document.hpp"
 #include "deck/Section.hpp"
 #include "grid/GridSection.hpp"
 #include "image/ImageParameters.hpp"
@@ -35,15 +36,22 @@ deck::Section<DeckParameters> deck_section();
 
 /// A deck that was read without a mistake.
 struct Deck {
-  std::string path;
-  std::string folder;  ///< file names in the deck are relative to it
-  std::string text;    ///< as the user wrote it
+  deck::Document document;
   DeckParameters parameters;
+  std::string text;  ///< as the user wrote it
 };
 
 /// Reads and checks a deck.
 /// \param overrides  "Section|Parameter=value", from --set
 /// \throws base::InputError with every mistake of the deck
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The deck as run, every default filled in and the image's file name absolute, so that it can be run
+/// again from any folder.
+Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);
+
+/// Mistakes that show only once the image is read, as mistakes of the deck: a line that starts with
+/// the name of a section or parameter ("Grid|Element Size [um]: ...") gets its line number.
+base::InputError located(const Deck& deck, const base::InputError& error);
 
 }  // namespace stroma

@@ -40,7 +40,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
       provenance_{deck.parameters.title, output::library_versions().front().second, deck.text},
       pictures_(communicator, folder.folder(), deck.parameters.title, specimen.particle_spacing),
       history_(communicator, folder.history(), conditions_, materials_) {
-  output::write_deck(communicator, folder.deck(), *deck::filled(deck_section(), deck.parameters));
+  output::write_deck(communicator, folder.deck(), *as_run(deck));
 }
 
 output::ParticleSet Results::particle_set() const {

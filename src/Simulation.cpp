@@ -69,7 +69,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   const DeckParameters& p = deck.parameters;
   mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
                                      material::laws(p.materials.materials),
-                                     p.boundary_conditions.conditions, p.grid.plane_strain);
+                                     p.boundary_conditions.conditions);
   const output::RunFolder folder(communicator, output_folder);
   folder.remove_old_results();
   base::collectively(communicator, [&] { log.open_file(folder.log()); });

@@ -9,7 +9,7 @@ namespace stroma {
 image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
                                image::ImageSummary& summary) {
   const base::Stage stage("image");
-  return image::read_labels(communicator, deck.parameters.image, deck.folder, &summary);
+  return image::read_labels(communicator, deck.parameters.image, deck.document.folder(), &summary);
 }
 
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,

@@ -5,6 +5,7 @@
 #include <Tpetra_Core.hpp>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,13 +103,19 @@ int main(int argc, char** argv) {
 
   try {
     stroma::base::Log log(communicator, options.quiet);
-    if (*run) {
-      const stroma::Deck deck = stroma::read_deck(options.deck, options.overrides);
-      stroma::run_simulation(communicator, deck,
-                             options.output.empty() ? default_folder(options.deck) : options.output,
-                             log);
-    } else if (*check) {
-      stroma::check_command(communicator, stroma::read_deck(options.deck, options.overrides), log);
+    if (*run || *check) {
+      std::optional<stroma::Deck> deck;
+      stroma::base::collectively(communicator, [&] {
+        deck = stroma::read_deck(options.deck, options.overrides);
+      });
+      const std::string folder =
+          options.output.empty() ? default_folder(options.deck) : options.output;
+      try {
+        if (*run) stroma::run_simulation(communicator, *deck, folder, log);
+        if (*check) stroma::check_command(communicator, *deck, log);
+      } catch (const stroma::base::InputError& error) {
+        throw stroma::located(*deck, error);
+      }
     } else if (*image) {
       stroma::image_command(communicator, options.image, log);
     } else if (*phantom) {

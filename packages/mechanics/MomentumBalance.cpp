@@ -57,8 +57,7 @@ Kokkos::View<std::uint8_t*, grid::Device> active_nodes(
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const grid::Partition& partition,
                                  const particles::Particles<Device>& particles,
-                                 const std::vector<Law>& laws, const NamedConditions& conditions,
-                                 bool plane_strain)
+                                 const std::vector<Law>& laws, const NamedConditions& conditions)
     : communicator_(communicator),
       halo_(communicator, partition),
       particles_(particles),
@@ -74,8 +73,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
   law_ = law;
   typical_diagonal_ =
       stiffest * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
-  supports_ = std::make_unique<Supports>(halo_, conditions, plane_strain,
-                                         active_nodes(halo_, box_, particles_));
+  supports_ = std::make_unique<Supports>(halo_, conditions, active_nodes(halo_, box_, particles_));
 }
 
 Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements() const {

@@ -46,7 +46,7 @@ class MomentumBalance {
 
   MomentumBalance(const base::Communicator& communicator, const grid::Partition& partition,
                   const particles::Particles<Device>& particles, const std::vector<Law>& laws,
-                  const NamedConditions& conditions, bool plane_strain);
+                  const NamedConditions& conditions);
   MomentumBalance(const MomentumBalance&) = delete;
   MomentumBalance& operator=(const MomentumBalance&) = delete;
 

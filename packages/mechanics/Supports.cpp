@@ -22,17 +22,18 @@ bool lies_on(Face face, const grid::Index3& node, const grid::Grid& grid) {
 std::string conflict(const NamedConditions& conditions, int first, int second, int component,
                      const std::array<double, 3>& x, double a, double b) {
   return base::format(
-      "Boundary Conditions|%s and Boundary Conditions|%s prescribe different %c displacements, %.10g um "
-      "and %.10g um, at their common point (%g, %g, %g) um; admissible: equal values, or %c left out of "
-      "the Components of one of them",
-      conditions[static_cast<std::size_t>(first)].first.c_str(),
-      second < 0 ? "(plane strain)" : conditions[static_cast<std::size_t>(second)].first.c_str(),
-      "xyz"[component], a, b, x[0], x[1], x[2], "xyz"[component]);
+      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at their "
+      "common point (%g, %g, %g) um; admissible: equal values, or %c left out of the Components of one "
+      "of them",
+      conditions[static_cast<std::size_t>(first)].first.c_str(), "xyz"[component], a,
+      second < 0 ? "plane strain"
+                 : ("\"" + conditions[static_cast<std::size_t>(second)].first + "\"").c_str(),
+      b, x[0], x[1], x[2], "xyz"[component]);
 }
 
 }  // namespace
 
-Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions, bool is_plane_strain,
+Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
                    const Kokkos::View<std::uint8_t*, Device>& active)
     : halo_(&halo), conditions_(static_cast<int>(conditions.size())) {
   const auto& communicator = halo.communicator();
@@ -50,7 +51,7 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions, bo
   base::collectively(communicator, [&] {
     for (const auto& [name, condition] : conditions) {
       const auto& G = condition.displacement_gradient;
-      if (is_plane_strain && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
+      if (grid.flat && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
         throw base::InputError("Boundary Conditions|" + name +
                                "|Displacement Gradient: displacements that vary along z are not plane "
                                "strain; admissible: zeros in the third column");
@@ -75,7 +76,7 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions, bo
             throw base::InputError(conflict(conditions, by, m, c, x, value, wanted));
           }
         }
-        if (is_plane_strain && c == 2 && node_is_active) {
+        if (grid.flat && c == 2 && node_is_active) {
           if (by == conditions_) by = plane_strain;
           if (std::abs(value) > negligible)
             throw base::InputError(conflict(conditions, by, -1, c, x, value, 0.0));

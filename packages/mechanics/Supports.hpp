@@ -24,7 +24,7 @@ class Supports {
   /// \param active  (touched node) whether a particle of any rank touches it
   /// \throws base::InputError when two conditions prescribe one component differently, or when a
   ///         condition's face has no particle near it
-  Supports(const grid::Halo& halo, const NamedConditions& conditions, bool plane_strain,
+  Supports(const grid::Halo& halo, const NamedConditions& conditions,
            const Kokkos::View<std::uint8_t*, Device>& active);
 
   /// (touched node) bit c: component c is prescribed.
