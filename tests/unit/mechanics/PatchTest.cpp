@@ -119,7 +119,7 @@ TEST(PatchTest, UnevenParticlesAreInEquilibriumUnderUniformStrain) {
   specimen.elements = {6, 5, 4};
   const auto partition = specimen.partition(world());
   const MomentumBalance balance(world(), partition, uneven_particles(partition, world().rank()),
-                                {{520.8, 2430.4}}, test::clamped(0.1), false);
+                                {{520.8, 2430.4}}, test::clamped(0.1));
   EXPECT_LT(force_inside(balance), 1e-12);
   expect_uniform_state(balance, {520.8, 2430.4});
 }
@@ -183,7 +183,7 @@ TEST(PatchTest, VoxelsAcrossElementsKeepTheStateUniform) {
                                                    particles::layer_weights(world(), grid, labels));
   const MomentumBalance balance(
       world(), partition, particles::seed(world(), specimen.layout, partition, labels, {{0, 0}}),
-      {specimen.laws[0]}, specimen.conditions, false);
+      {specimen.laws[0]}, specimen.conditions);
   expect_uniform_state(balance, specimen.laws[0]);
 }
 

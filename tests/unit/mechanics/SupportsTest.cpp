@@ -69,7 +69,7 @@ TEST(Supports, ContradictionsAreNamed) {
   const std::string message = refusal(specimen);
   EXPECT_NE(message.find("floor"), std::string::npos) << message;
   EXPECT_NE(message.find("wall"), std::string::npos) << message;
-  EXPECT_NE(message.find("different y"), std::string::npos) << message;
+  EXPECT_NE(message.find("y displacement"), std::string::npos) << message;
 }
 
 TEST(Supports, EqualValuesAreNoContradiction) {
