@@ -7,12 +7,12 @@ packages=(
   # compiler and build
   g++ cmake ninja-build ccache
   # solvers, MPI
-  trilinos-all-dev libopenmpi-dev openmpi-bin
+  trilinos-all-dev libptscotch-dev libopenmpi-dev openmpi-bin
   # files
   libhdf5-openmpi-dev libexodusii-dev libinsighttoolkit5-dev libtiff-dev zlib1g-dev
   libyaml-cpp-dev libexpat1-dev
   # command line, pictures
-  libcli11-dev gnuplot-nox
+  libcli11-dev gnuplot-nox fonts-dejavu-core
   # tests and benchmarks
   libgtest-dev libbenchmark-dev nlohmann-json3-dev
 )

@@ -13,7 +13,7 @@ namespace stroma::transfer {
 ///
 /// Rows of owned nodes are summed straight into the values of a compressed row matrix with three rows
 /// per node, whose blocks are found by arithmetic; rows of nodes that other ranks own go to `shared`
-/// and travel to their owners afterwards.
+/// and travel to their owners afterwards. Entries in prescribed rows and columns are left out.
 template <class Device>
 struct BlockRows {
   Kokkos::View<const int*, Device> row;  ///< (touched node) owned node, or ~shared if negative
@@ -23,22 +23,23 @@ struct BlockRows {
   Kokkos::View<double**, Kokkos::LayoutLeft, Device> shared;  ///< (shared, 9 s + 3 i + k), added to
   Kokkos::View<const std::uint8_t*, Device> held;  ///< (touched node) bit c: component c is prescribed
 
-  /// Adds block(i, k) to row node I, neighbour s. Entries in prescribed rows or columns are left out.
-  KOKKOS_INLINE_FUNCTION void add(int node, int neighbour, int s, const double block[3][3]) const {
+  /// Adds an element's blocks K(i, k, b) to the rows of one of its nodes, b being the element's nodes and
+  /// s(b) their places in the node's stencil.
+  template <int Nodes>
+  KOKKOS_INLINE_FUNCTION void add(int node, const double K[3][3][Nodes], const int s[Nodes]) const {
     const int r = row(node);
-    const int held_row = held(node), held_column = held(neighbour);
+    if (r < 0) {
+      for (int b = 0; b < Nodes; ++b)
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k) shared(~r, 9 * s[b] + 3 * i + k) += K[i][k][b];
+      return;
+    }
+    int first[Nodes];
+    for (int b = 0; b < Nodes; ++b) first[b] = 3 * slot(r, s[b]);
     for (int i = 0; i < 3; ++i) {
-      if (held_row >> i & 1) continue;
-      double* entry =
-          r >= 0 ? &values(row_begin(3 * r + i) + 3 * slot(r, s)) : nullptr;
-      for (int k = 0; k < 3; ++k) {
-        if (held_column >> k & 1) continue;
-        if (r >= 0) {
-          entry[k] += block[i][k];
-        } else {
-          shared(~r, 9 * s + 3 * i + k) += block[i][k];
-        }
-      }
+      double* entries = &values(row_begin(3 * r + i));
+      for (int b = 0; b < Nodes; ++b)
+        for (int k = 0; k < 3; ++k) entries[first[b] + k] += K[i][k][b];
     }
   }
 };
@@ -88,18 +89,32 @@ struct Tangent {
               K[a][c][m][b] += g0 * T[0][c][m][b] + g1 * T[1][c][m][b] + g2 * T[2][c][m][b];
       }
     });
+    int node[n], held[n], any_held = 0;
     for (int a = 0; a < n; ++a) {
-      const int node = elements.node_of(i, j, k, a);
-      for (int b = 0; b < n; ++b) {
-        const int neighbour = elements.node_of(i, j, k, b);
-        const int dz = elements.box.flat ? 0 : b / (w * w) - a / (w * w);
-        const int s = (b % w - a % w + 1) + 3 * (b / w % w - a / w % w + 1) + 9 * (dz + 1);
-        double block[3][3];
-        for (int c = 0; c < 3; ++c)
-          for (int m = 0; m < 3; ++m) block[c][m] = K[a][c][m][b];
-        rows.add(node, neighbour, s, block);
-      }
+      node[a] = elements.node_of(i, j, k, a);
+      held[a] = rows.held(node[a]);
+      any_held |= held[a];
     }
+    if (any_held) leave_out(held, K);
+    for (int a = 0; a < n; ++a) {
+      int s[n];  // place of node b in the stencil of node a
+      for (int b = 0; b < n; ++b) {
+        const int dz = elements.box.flat ? 0 : b / (w * w) - a / (w * w);
+        s[b] = (b % w - a % w + 1) + 3 * (b / w % w - a / w % w + 1) + 9 * (dz + 1);
+      }
+      rows.template add<n>(node[a], K[a], s);
+    }
+  }
+
+ private:
+  /// Clears the rows and columns of prescribed components.
+  KOKKOS_INLINE_FUNCTION static void leave_out(const int held[Shape::nodes],
+                                               double K[][3][3][Shape::nodes]) {
+    for (int a = 0; a < Shape::nodes; ++a)
+      for (int c = 0; c < 3; ++c)
+        for (int m = 0; m < 3; ++m)
+          for (int b = 0; b < Shape::nodes; ++b)
+            if ((held[a] >> c & 1) || (held[b] >> m & 1)) K[a][c][m][b] = 0.0;
   }
 };
 

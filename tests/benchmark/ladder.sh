@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# The ladder: one load step of 1 % (of the ten to 10 %) on a vessel phantom, 2 x 2 x 2 voxels an element, for each
+# grid, preconditioner and number of ranks. Prints a Markdown table; the STREAM triad and the product K v are
+# measured right before each grid. Usage: tests/benchmark/ladder.sh [GRID...], a grid being NX,NY,NZ.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1
+export OMPI_MCA_hwloc_base_binding_policy=none
+stroma=$PWD/build/release/bin/stroma
+product=$PWD/build/release/tests/benchmark_product
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+grids=("$@")
+[[ ${#grids[@]} -gt 0 ]] || grids=(32,32,32 64,64,64 128,128,26)
+
+echo "| elements | preconditioner | ranks | time (s) | peak memory per rank (MB) | Newton | linear | set-up (s) | linear solve (s) |"
+echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
+for grid in "${grids[@]}"; do
+  IFS=, read -r nx ny nz <<<"$grid"
+  for preconditioner in Jacobi Multigrid; do
+    for ranks in 1 2; do
+      mpirun --oversubscribe -np "$ranks" /usr/bin/time -f '%M' -o "$work/memory" -a \
+        "$stroma" run tests/benchmark/ladder.xml -o "$work/run" \
+        --set "Image|Phantom|Size={$((2 * nx)),$((2 * ny)),$((2 * nz))}" \
+        --set "Solver|Preconditioner=$preconditioner" >"$work/log"
+      seconds=$(sed -n 's/^\([0-9.]*\) s on .*/\1/p' "$work/log")
+      memory=$(sort -n "$work/memory" | tail -n 1)
+      rm "$work/memory"
+      newton=$(tail -n 1 "$work/run/history.csv" | cut -d, -f3)
+      linear=$(tail -n 1 "$work/run/history.csv" | cut -d, -f4)
+      setup=$(sed -n 's/^time .*preconditioner \([0-9.]*\) s.*/\1/p' "$work/log")
+      solve=$(sed -n 's/^time .*linear solve \([0-9.]*\) s.*/\1/p' "$work/log")
+      echo "| $nx x $ny x $nz | $preconditioner | $ranks | $seconds | $((memory / 1024)) | $newton | $linear | $setup | $solve |"
+    done
+  done
+done
+echo
+for grid in "${grids[@]}"; do
+  for ranks in 1 2; do
+    mpirun --oversubscribe -np "$ranks" "$product" ${grid//,/ } 9
+  done
+done
