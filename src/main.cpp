@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -84,15 +85,21 @@ int main(int argc, char** argv) {
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
   reference->add_option("SECTION", options.section, "one section, such as 'Image|Segmentation'");
 
-  // MPI takes its own words off the command line first; every rank parses the rest alike.
-  Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
+  // Kokkos gets its own words only: it would answer --help too. Every rank parses the rest alike.
+  std::vector<char*> own_words, kokkos_words{argv[0]};
+  for (int n = 0; n < argc; ++n)
+    (std::strncmp(argv[n], "--kokkos", 8) == 0 ? kokkos_words : own_words).push_back(argv[n]);
+  int kokkos_count = static_cast<int>(kokkos_words.size());
+  kokkos_words.push_back(nullptr);
+  char** kokkos_argv = kokkos_words.data();
+  Tpetra::ScopeGuard mpi_and_kokkos(&kokkos_count, &kokkos_argv);
   const auto communicator = stroma::base::Communicator::world();
   const auto fail = [&](ExitStatus status, const std::string& message) {
     if (communicator.is_root()) std::cerr << "stroma: " << message << std::endl;
     return static_cast<int>(status);
   };
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(own_words.size()), own_words.data());
   } catch (const CLI::Success& help) {
     if (communicator.is_root()) app.exit(help);
     return 0;
