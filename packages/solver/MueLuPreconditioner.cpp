@@ -38,22 +38,25 @@ class MueLuPreconditioner : public Preconditioner {
     list_.set("multigrid algorithm", "sa");
     list_.set("coarse: max size", 1000);
     list_.set("max levels", 10);
-    // Symmetric Gauss-Seidel keeps the cycle symmetric and, unlike Chebyshev, needs no estimate of
-    // the largest eigenvalue, which came out too low on this operator.
-    list_.set("smoother: type", "RELAXATION");
-    list_.sublist("smoother: params").set("relaxation: type", "Symmetric Gauss-Seidel");
-    list_.sublist("smoother: params").set("relaxation: sweeps", 1);
+    // Chebyshev smoothing is the same on any number of ranks, and made of products alone. Beyond the
+    // largest eigenvalue its polynomial grows and the cycle turns indefinite, and power iterations come
+    // from below: more of them than MueLu's 10, which were too few on this operator, and a margin.
+    list_.set("sa: eigenvalue estimate num iterations", 20);
+    list_.set("smoother: type", "CHEBYSHEV");
+    auto& smoother = list_.sublist("smoother: params");
+    smoother.set("chebyshev: degree", 2);
+    smoother.set("chebyshev: ratio eigenvalue", 10.0);
+    smoother.set("chebyshev: boost factor", 1.3);
     if (balance.halo().communicator().size() > 1) {
-      // Gauss-Seidel sees its own rank alone: between ranks it is a Jacobi method, which need not
-      // converge. The l1 form adds to the diagonal what it does not see, and does.
-      list_.sublist("smoother: params").set("relaxation: use l1", true);
-      // Not MueLu's default, Amesos2's KLU2: see DirectPreconditioner.cpp. Coarsened to a few
-      // aggregates, the coarsest grid is solved well enough by sweeps.
+      // Not MueLu's default for the coarsest grid, Amesos2's KLU2: see DirectPreconditioner.cpp. With few
+      // aggregates left, a polynomial of high degree solves it well enough.
       list_.set("coarse: max size", 100);
-      list_.set("coarse: type", "RELAXATION");
-      list_.sublist("coarse: params").set("relaxation: type", "Symmetric Gauss-Seidel");
-      list_.sublist("coarse: params").set("relaxation: sweeps", 20);
-      list_.sublist("coarse: params").set("relaxation: use l1", true);
+      list_.set("coarse: type", "CHEBYSHEV");
+      auto& coarse = list_.sublist("coarse: params");
+      coarse.set("chebyshev: degree", 20);
+      coarse.set("chebyshev: ratio eigenvalue", 100.0);
+      coarse.set("chebyshev: eigenvalue max iterations", 30);
+      coarse.set("chebyshev: boost factor", 1.3);
     }
     if (parameters.muelu != Teuchos::null) list_.setParameters(*parameters.muelu);
   }
