@@ -22,8 +22,9 @@ struct PhantomOptions {
 };
 
 /// Writes the grey image of a vessel network as a TIFF stack, and prints the volume fraction it
-/// reached. Collective. \returns the exit status 0 \throws base::InputError when an option is not
-/// admissible or the file cannot be written
+/// reached. Collective.
+/// \returns the exit status 0
+/// \throws base::InputError when an option is not admissible or the file cannot be written
 int phantom_command(const base::Communicator& communicator, const PhantomOptions& options,
                     base::Log& log);
 

@@ -77,8 +77,8 @@ struct Declaration {
   void refuse_second(const std::string& new_name) const;
 };
 
-/// Reads the deck into the struct of its root. \throws base::InputError with every mistake of the
-/// deck
+/// Reads the deck into the struct of its root.
+/// \throws base::InputError with every mistake of the deck
 void read_into(const Document& document, const Declaration& root, void* values);
 Teuchos::RCP<Teuchos::ParameterList> filled_from(const Declaration& root, const void* values);
 std::string reference_of(const Declaration& root, const std::string& section_path);

@@ -250,8 +250,9 @@ Teuchos::RCP<Teuchos::ParameterList> filled(const Section<T>& root, const T& val
 }
 
 /// The deck reference, in Markdown: every section, parameter, type, default, admissible values,
-/// meaning. \param section_path  'Image|Segmentation'; empty for the whole deck \throws
-/// base::InputError  no such section; the message names the nearest
+/// meaning.
+/// \param section_path  'Image|Segmentation'; empty for the whole deck
+/// \throws base::InputError  no such section; the message names the nearest
 template <class T>
 std::string reference(const Section<T>& root, const std::string& section_path = "") {
   return reference_of(root.declaration(), section_path);

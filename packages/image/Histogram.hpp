@@ -35,12 +35,14 @@ struct Statistics {
 /// bins.
 inline constexpr std::int64_t most_levels = std::int64_t{1} << 20;
 
-/// Collective. \throws base::InputError when a value is not finite
+/// Collective.
+/// \throws base::InputError when a value is not finite
 Statistics statistics(const base::Communicator& communicator, const IntensityVolume& volume);
 
 /// One bin per integer level from the smallest to the largest value when the type is an integer and
 /// its range is at most most_levels; else `bins` equal bins between the smallest and the largest
-/// value. Collective. \throws base::InputError when a value is not finite
+/// value. Collective.
+/// \throws base::InputError when a value is not finite
 Histogram histogram(const base::Communicator& communicator, const IntensityVolume& volume,
                     const ValueType& type, int bins = 256);
 
@@ -54,7 +56,8 @@ Histogram equal_bins(const base::Communicator& communicator, const IntensityVolu
 ///     n1 n2 (m1 - m2)^2,   n: counts, m: means of the bin centres,
 ///
 /// the first of equal maxima. Foreground is I > t. Source: Otsu (1979), IEEE Trans. Syst. Man
-/// Cybern. 9, 62. \throws base::InputError when all values are equal
+/// Cybern. 9, 62.
+/// \throws base::InputError when all values are equal
 double otsu_threshold(const Histogram& histogram);
 
 /// The value below which the given percentage of the voxels lies, linear between neighbouring order

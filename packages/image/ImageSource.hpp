@@ -56,8 +56,8 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
 [[noreturn]] void refuse(const std::string& path, const std::string& what);
 
 /// Refuses a size that is zero, or that a file of this length cannot hold, before anything is
-/// allocated. \param expansion  the most that the file's compression can gain; 1: values lie there
-/// as they are
+/// allocated.
+/// \param expansion  the most that the file's compression can gain; 1: values lie there as they are
 void check_size(const std::string& path, const std::array<std::int64_t, 3>& size,
                 std::int64_t values_per_voxel, int bytes_per_value, std::uint64_t file_length,
                 double expansion);

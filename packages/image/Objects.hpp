@@ -28,7 +28,8 @@ class Objects {
   /// Voxels of the largest object; 0 when there is none. Collective.
   std::int64_t largest() const;
   /// Voxels, on all ranks, of the object that a voxel of this slab belongs to; 0 for a voxel of no
-  /// object. \param voxel  index into the slab's values
+  /// object.
+  /// \param voxel  index into the slab's values
   std::int64_t size_at(std::size_t voxel) const {
     return piece_[voxel] < 0 ? 0 : size_[static_cast<std::size_t>(piece_[voxel])];
   }

@@ -68,8 +68,8 @@ LabelVolume make_shapes(const base::Communicator& communicator,
                         const std::array<double, 3>& voxel_size, const ShapeList& shapes);
 
 /// A vessel network as labels: 1 vessel, 0 gel; the fraction is met to a voxel or so. The same
-/// network for the same seed on any number of ranks. Collective. \throws base::InputError when the
-/// fraction cannot be reached in a box of this size
+/// network for the same seed on any number of ranks. Collective.
+/// \throws base::InputError when the fraction cannot be reached in a box of this size
 LabelVolume make_vessels(const base::Communicator& communicator,
                          const VesselParameters& parameters);
 

@@ -20,10 +20,10 @@ namespace stroma::image {
 /// cannot read in parts: rank 0 reads the file and hands it out plane by plane.
 ///
 /// The voxel size is the deck's, else the file's; an axis that neither states is left 0 (see
-/// ImageSummary), and require_voxel_size() turns that into an error. \param folder  of the deck, to
-/// which the file's name is relative \throws base::InputError on all ranks: no such file, not an
-/// image, broken, no such channel or dataset, a type of
-///         value that is not admissible, a region outside the image
+/// ImageSummary), and require_voxel_size() turns that into an error.
+/// \param folder  of the deck, to which the file's name is relative
+/// \throws base::InputError on all ranks: no such file, not an image, broken, no such channel or
+///   dataset, a type of value that is not admissible, a region outside the image
 IntensityVolume read_volume(const base::Communicator& communicator,
                             const ImageParameters& parameters, const std::string& folder,
                             ImageSummary& summary);
@@ -33,10 +33,10 @@ IntensityVolume read_volume(const base::Communicator& communicator,
 void require_voxel_size(const ImageSummary& summary);
 
 /// The whole way to labels: read or make a phantom, cut the region, smooth, segment, remove small
-/// objects. Collective. \param summary  if not null, filled with what was found \throws
-/// base::InputError as read_volume, and when the voxel size is unknown, a label is not an integer
-/// or below
-///         -1, or Otsu's method meets a single value
+/// objects. Collective.
+/// \param summary  if not null, filled with what was found
+/// \throws base::InputError as read_volume, and when the voxel size is unknown, a label is not an
+///   integer or below -1, or Otsu's method meets a single value
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
                         const std::string& folder, ImageSummary* summary = nullptr);
 

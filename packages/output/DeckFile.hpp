@@ -17,8 +17,8 @@ namespace stroma::output {
 std::vector<std::pair<std::string, std::string>> library_versions();
 
 /// Writes the deck (every default filled in) as a ParameterList in XML that `stroma run` reads
-/// again. The versions stand in a comment at the head. Rank 0 writes. Collective. \throws RunError
-/// on all ranks when the file cannot be written
+/// again. The versions stand in a comment at the head. Rank 0 writes. Collective.
+/// \throws RunError on all ranks when the file cannot be written
 void write_deck(const base::Communicator& communicator, const std::string& path,
                 const Teuchos::ParameterList& deck);
 

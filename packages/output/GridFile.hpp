@@ -44,10 +44,11 @@ class GridFile {
 
   /// Adds one step. Collective. Both arrays cover the nodes of this rank's box (element_count + 1
   /// in each direction, x fastest), 3 values a node, complete on every rank that shares the node;
-  /// they are not read where the box is empty. \param load          load factor, larger than that
-  /// of the step before \param displacement  (node of the box, xyz) [um] \param residual      (node
-  /// of the box, xyz) [pN] \throws RunError on all ranks, naming the file and what could not be
-  /// written
+  /// they are not read where the box is empty.
+  /// \param load  load factor, larger than that of the step before
+  /// \param displacement  (node of the box, xyz) [um]
+  /// \param residual  (node of the box, xyz) [pN]
+  /// \throws RunError on all ranks, naming the file and what could not be written
   void write(double load, const double* displacement, const double* residual);
 
   /// Steps written so far.

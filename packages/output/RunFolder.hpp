@@ -13,14 +13,14 @@ namespace stroma::output {
 class RunFolder {
  public:
   /// Makes the folder, with its parents, unless it is there already, and tries whether a file can
-  /// be made in it. Collective; all ranks agree on the outcome. \throws InputError on all ranks
-  /// when the folder cannot be made or written, or is a file
+  /// be made in it. Collective; all ranks agree on the outcome.
+  /// \throws InputError on all ranks when the folder cannot be made or written, or is a file
   RunFolder(const base::Communicator& communicator, std::string folder);
 
   /// Removes what an earlier run left under the names below, spread files of any number of ranks
   /// and pictures included, so that no stale file passes for a result of this run. Files with other
-  /// names stay. Collective. Not to be called by a run that continues another one. \throws
-  /// InputError on all ranks when a file cannot be removed
+  /// names stay. Collective. Not to be called by a run that continues another one.
+  /// \throws InputError on all ranks when a file cannot be removed
   void remove_old_results() const;
 
   const std::string& folder() const { return folder_; }
