@@ -73,7 +73,9 @@ inline Outcome run_stroma(const fs::path& folder, const std::string& arguments, 
   if (ranks > 1) {
     line += "mpirun --oversubscribe -np " + std::to_string(ranks) + " ";
   } else {  // one rank needs no daemon and no network
-    line += "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self ";
+    line +=
+        "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_create_session_dirs=0 OMPI_MCA_pml=ob1 "
+        "OMPI_MCA_btl=self ";
   }
   line +=
       quoted(STROMA_EXECUTABLE) + " " + arguments + " > " + quoted(output) + " 2> " + quoted(error);

@@ -99,7 +99,8 @@ Outcome run_program(const std::string& command, const fs::path& deck,
       "env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" OMP_NUM_THREADS=1 "
       "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
       // One rank needs no daemon and no network: a quarter of the time.
-      "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_pml=ob1 OMPI_MCA_btl=self ";
+      "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_create_session_dirs=0 OMPI_MCA_pml=ob1 "
+      "OMPI_MCA_btl=self ";
   const std::string line = "cd " + quoted(working_folder) + " && " + environment +
                            quoted(STROMA_EXECUTABLE) + " " + command + " " + quoted(deck) + " > " +
                            quoted(output) + " 2> " + quoted(error);
