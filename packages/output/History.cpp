@@ -6,16 +6,10 @@
 
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "output/HistoryTable.hpp"
 
 namespace stroma::output {
 namespace {
-
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
-  std::string text = "\"";
-  for (const char c : name) text += (c == '"') ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
 
 std::string digits(std::int64_t value) { return std::to_string(value); }
 std::string digits(double value) { return base::format("%.17g", value); }
@@ -74,7 +68,7 @@ History::History(const base::Communicator& communicator, std::string path,
       materials_(materials.size()) {
   std::string header;
   for (const std::string& column : history_columns(boundary_conditions, materials)) {
-    header += (header.empty() ? "" : ",") + quoted(column);
+    header += (header.empty() ? "" : ",") + csv_field(column);
   }
   write_line(header, "w");
 }

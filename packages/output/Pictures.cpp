@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 
 #include "base/Error.hpp"
 #include "base/Log.hpp"
 #include "output/Gnuplot.hpp"
+#include "output/PictureFile.hpp"
 #include "output/SliceRaster.hpp"
 #include "tensor/Tensor3.hpp"
 
@@ -136,17 +135,6 @@ ColourScale colour_scale(std::vector<float> values) {
   return {(common > 0.0 && largest > 1.5 * common) ? common : largest, largest};
 }
 
-struct Unit {
-  const char* name;
-  double size;  ///< [pN]
-};
-
-Unit force_unit(double largest) {
-  if (largest >= 1e6) return {"µN", 1e6};
-  if (largest >= 1e3) return {"nN", 1e3};
-  return {"pN", 1.0};
-}
-
 /// Material colours: a pale first one for what surrounds, then ones that the colour-blind can tell.
 const std::vector<std::string> material_colours = {"#f2e6d0", "#b2182b", "#2166ac", "#e69f00",
                                                    "#009e73", "#7b3294", "#56b4e9", "#4d4d4d"};
@@ -252,7 +240,7 @@ std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
     data += "\n";
   }
 
-  const Unit unit = force_unit(largest);
+  const ForceUnit unit = force_unit(largest);
   std::string script =
       gnuplot_head("force", 1000, 700, title_ + "\nreaction along the displacement");
   script +=
@@ -261,42 +249,19 @@ std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
              unit.name);
   script += "set grid lc rgb '#dddddd' lt 1 lw 1\nset key top left reverse Left\n";
   script += "set offsets 0, 0, graph 0.05, 0\nplot ";
-  const char* colours[] = {"#31688e", "#b2182b", "#35b779", "#e69f00", "#440154", "#4d4d4d"};
   for (std::size_t i = 0; i < supports.size(); ++i) {
     script += format(
         "%s'force.dat' using ($%zu*%g):($%zu/%g) with linespoints lw 2.5 pt 7 ps 1.1 lc rgb '%s' "
         "title %s",
         i == 0 ? "" : ", \\\n     ", 2 * i + 2, by_strain ? 100.0 : 1.0, 2 * i + 3, unit.size,
-        colours[i % 6], gnuplot_quoted(supports[i].name).c_str());
+        line_colour(i), gnuplot_quoted(supports[i].name).c_str());
   }
   return draw("force", data, "dat", script + "\n");
 }
 
 std::string Pictures::draw(const std::string& name, const std::string& data,
                            const std::string& data_ending, const std::string& script) const {
-  std::string note;
-  if (communicator_.is_root()) {
-    const std::string folder = folder_ + "/pictures";
-    std::error_code reason;
-    std::filesystem::create_directories(folder, reason);
-    const auto written = [&](const std::string& file, const std::string& content) {
-      std::ofstream stream(folder + "/" + file, std::ios::binary);
-      stream << content;
-      stream.close();
-      return !stream.fail();
-    };
-    if (!written(name + "." + data_ending, data) || !written(name + ".gp", script)) {
-      note = name + ".png was not drawn: cannot write into '" + folder + "'";
-    } else {
-      const std::string failure = run_gnuplot(folder, name + ".gp");
-      if (!failure.empty()) {
-        note = name + ".png was not drawn: " + failure + "; " + folder + "/" + name +
-               ".gp draws it where gnuplot with pngcairo is at hand";
-      }
-    }
-  }
-  communicator_.broadcast(note);
-  return note;
+  return draw_picture(communicator_, folder_, name, data, data_ending, script);
 }
 
 }  // namespace stroma::output
