@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/Error.hpp"
 #include "image/Histogram.hpp"
 #include "image/Objects.hpp"
 #include "image/ReadVolume.hpp"
@@ -80,6 +81,11 @@ void print_objects(const base::Communicator& communicator, const image::LabelVol
 
 int image_command(const base::Communicator& communicator, const ImageOptions& options,
                   base::Log& log) {
+  if (options.voxel_size) {
+    for (const double um : *options.voxel_size)
+      if (!(um > 0.0) || !std::isfinite(um))
+        throw base::InputError("--voxel: admissible: three lengths in um, each above 0");
+  }
   image::ImageParameters parameters;
   parameters.file = options.file;
   if (!options.dataset.empty()) parameters.dataset = options.dataset;

@@ -23,7 +23,7 @@ struct ImageOptions {
 /// Prints size, voxel size and where it was found, type, channels, intensity histogram, mean and
 /// the like, Otsu's threshold, the fraction above it, and the connected objects there. Collective.
 /// \returns the exit status 0
-/// \throws base::InputError when the image cannot be read
+/// \throws base::InputError when the image cannot be read or a voxel size is not positive
 int image_command(const base::Communicator& communicator, const ImageOptions& options,
                   base::Log& log);
 

@@ -1,5 +1,6 @@
 #include "PhantomCommand.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 #include "base/Error.hpp"
@@ -13,6 +14,11 @@ namespace {
 void check(const PhantomOptions& options) {
   if (options.output.empty())
     throw base::InputError("stroma phantom: name the file to write with -o FILE");
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  if (ending != ".tif" && ending != ".tiff")
+    throw base::InputError(options.output +
+                           ": a phantom is written as TIFF; admissible: a name that " +
+                           "ends in .tif or .tiff");
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder))
     throw base::InputError(options.output + ": there is no folder " + folder.string());
@@ -20,7 +26,7 @@ void check(const PhantomOptions& options) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (options.size[axis] < 1)
       throw base::InputError("--size: admissible: three numbers of voxels, each at least 1");
-    if (!(options.voxel_size[axis] > 0.0))
+    if (!(options.voxel_size[axis] > 0.0) || !std::isfinite(options.voxel_size[axis]))
       throw base::InputError("--voxel: admissible: three lengths in um, each above 0");
     voxels *= static_cast<double>(options.size[axis]);
   }

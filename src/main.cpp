@@ -1,8 +1,10 @@
 /// \file
-/// The command `stroma`: reads its words, starts MPI and Kokkos, and answers every error in one place.
+/// The command `stroma`: reads its words, starts MPI and Kokkos, and answers every error in one
+/// place.
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -18,6 +20,7 @@
 #include "base/Communicator.hpp"
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "deck/Nearest.hpp"
 
 namespace {
 
@@ -38,7 +41,8 @@ std::string default_folder(const std::string& deck) {
 
 void add_deck(CLI::App& command, Options& options) {
   command.add_option("DECK", options.deck, "the deck, .xml or .yaml")->required();
-  command.add_option("--set", options.overrides, "'Section|Parameter=value', instead of the deck's")
+  command
+      .add_option("--set", options.overrides, "'Section|Parameter=value', instead of the deck's")
       ->allow_extra_args(false);
 }
 
@@ -49,7 +53,9 @@ void add_image(CLI::App& command, stroma::ImageOptions& options) {
   command
       .add_option_function<std::vector<double>>(
           "--voxel",
-          [&options](const std::vector<double>& um) { options.voxel_size = {um[0], um[1], um[2]}; },
+          [&options](const std::vector<double>& um) {
+            options.voxel_size = {um[0], um[1], um[2]};
+          },
           "size of a voxel x,y,z [um], where the file does not state it")
       ->delimiter(',')
       ->expected(3);
@@ -63,20 +69,50 @@ void add_phantom(CLI::App& command, stroma::PhantomOptions& options) {
   command.add_option("--seed", options.seed, "another seed, another network");
 }
 
+/// What to say of the first word that is no command or no option; empty if all are known.
+std::string unknown_word(const CLI::App& app, const std::vector<char*>& words) {
+  if (words.size() < 2) return "";
+  const CLI::App* command = nullptr;
+  std::vector<std::string> commands;
+  for (const CLI::App* one : app.get_subcommands({})) {
+    commands.push_back(one->get_name());
+    if (one->get_name() == words[1]) command = one;
+  }
+  if (command == nullptr) {
+    const std::string word = words[1];
+    if (word.front() == '-') return "";
+    return "no such command: \"" + word + "\"; " + stroma::deck::suggestion(word, commands);
+  }
+  std::vector<std::string> options;
+  for (const CLI::Option* option : command->get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  for (std::size_t n = 2; n < words.size(); ++n) {
+    const std::string word = std::string(words[n]).substr(0, std::string(words[n]).find('='));
+    if (word.rfind("--", 0) == 0 && word != "--" &&
+        std::find(options.begin(), options.end(), word) == options.end())
+      return command->get_name() + " has no option " + word + "; " +
+             stroma::deck::suggestion(word, options);
+  }
+  return "";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Stroma: stress in tissue, from the image stack, by the implicit Material Point Method",
-               "stroma");
+  CLI::App app(
+      "Stroma: stress in tissue, from the image stack, by the implicit Material Point Method",
+      "stroma");
   Options options;
   app.require_subcommand(1);
   app.set_version_flag("--version", "stroma " STROMA_VERSION);
 
   CLI::App* run = app.add_subcommand("run", "run a deck");
   add_deck(*run, options);
-  run->add_option("-o,--output", options.output, "output folder; else the deck's name without ending");
+  run->add_option("-o,--output", options.output,
+                  "output folder; else the deck's name without ending");
   run->add_flag("--quiet", options.quiet, "print errors only");
-  CLI::App* check = app.add_subcommand("check", "read everything, run nothing, say what it would be");
+  CLI::App* check =
+      app.add_subcommand("check", "read everything, run nothing, say what it would be");
   add_deck(*check, options);
   CLI::App* image = app.add_subcommand("image", "say what is in an image");
   add_image(*image, options.image);
@@ -104,17 +140,17 @@ int main(int argc, char** argv) {
     if (communicator.is_root()) app.exit(help);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return fail(ExitStatus::wrong_input,
-                std::string(error.what()) + "\nsee: stroma --help, or stroma COMMAND --help");
+    const std::string unknown = unknown_word(app, own_words);
+    return fail(ExitStatus::wrong_input, (unknown.empty() ? error.what() : unknown) +
+                                             "\nsee: stroma --help, or stroma COMMAND --help");
   }
 
   try {
     stroma::base::Log log(communicator, options.quiet);
     if (*run || *check) {
       std::optional<stroma::Deck> deck;
-      stroma::base::collectively(communicator, [&] {
-        deck = stroma::read_deck(options.deck, options.overrides);
-      });
+      stroma::base::collectively(
+          communicator, [&] { deck = stroma::read_deck(options.deck, options.overrides); });
       const std::string folder =
           options.output.empty() ? default_folder(options.deck) : options.output;
       try {
@@ -135,9 +171,11 @@ int main(int argc, char** argv) {
   } catch (const stroma::base::RunError& error) {
     return fail(ExitStatus::run_failed, error.what());
   } catch (const std::exception& error) {
-    // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others waiting.
+    // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others
+    // waiting.
     std::cerr << "stroma: rank " << communicator.rank() << ": " << error.what() << std::endl;
-    if (communicator.size() > 1) MPI_Abort(communicator.raw(), static_cast<int>(ExitStatus::run_failed));
+    if (communicator.size() > 1)
+      MPI_Abort(communicator.raw(), static_cast<int>(ExitStatus::run_failed));
     return static_cast<int>(ExitStatus::run_failed);
   }
   return static_cast<int>(ExitStatus::done);

@@ -179,6 +179,9 @@ Document parse(const std::string& text, Format format, const std::string& path,
 Document load(const std::string& path, const std::vector<std::string>& overrides) {
   const std::string ending = fs::path(path).extension().string();
   const bool is_yaml = ending == ".yaml" || ending == ".yml";
+  if (!is_yaml && ending != ".xml" && !fs::is_directory(path))
+    throw base::InputError("cannot tell the format of the deck '" + path +
+                           "' by its name's ending; admissible: .xml, .yaml or .yml");
   return parse(content_of(path), is_yaml ? Format::yaml : Format::xml, path, overrides);
 }
 
