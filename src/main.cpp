@@ -17,6 +17,8 @@
 #include "ImageCommand.hpp"
 #include "PhantomCommand.hpp"
 #include "Simulation.hpp"
+#include "StudyCommand.hpp"
+#include "StudyDeck.hpp"
 #include "base/Communicator.hpp"
 #include "base/Error.hpp"
 #include "base/Log.hpp"
@@ -118,8 +120,12 @@ int main(int argc, char** argv) {
   add_image(*image, options.image);
   CLI::App* phantom = app.add_subcommand("phantom", "write a synthetic microvessel volume");
   add_phantom(*phantom, options.phantom);
+  CLI::App* study = app.add_subcommand("study", "run decks that differ in named parameters");
+  study->add_option("STUDY", options.deck, "the study deck, .xml or .yaml")->required();
+  study->add_option("-o,--output", options.output, "output folder; else the deck's name without ending");
+  study->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
-  reference->add_option("SECTION", options.section, "one section, such as 'Image|Segmentation'");
+  reference->add_option("SECTION", options.section, "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
 
   // Kokkos gets its own words only: it would answer --help too. Every rank parses the rest alike.
   std::vector<char*> own_words, kokkos_words{argv[0]};
@@ -163,8 +169,14 @@ int main(int argc, char** argv) {
       stroma::image_command(communicator, options.image, log);
     } else if (*phantom) {
       stroma::phantom_command(communicator, options.phantom, log);
+    } else if (*study) {
+      const std::string folder =
+          options.output.empty() ? default_folder(options.deck) : options.output;
+      stroma::study_command(communicator, options.deck, folder, log);
     } else if (*reference) {
-      log.line(stroma::deck::reference(stroma::deck_section(), options.section));
+      log.line(options.section == "Study"
+                   ? stroma::deck::reference(stroma::study_section())
+                   : stroma::deck::reference(stroma::deck_section(), options.section));
     }
   } catch (const stroma::base::InputError& error) {
     return fail(ExitStatus::wrong_input, error.what());
