@@ -62,6 +62,9 @@ function(stroma_package name)
     target_link_libraries(${target} ${scope} stroma_${used})
   endforeach()
   target_link_libraries(${target} ${scope} ${arg_LIBRARIES})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT StromaTargets ARCHIVE DESTINATION lib)
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION include/stroma/${name} FILES_MATCHING PATTERN "*.hpp")
 endfunction()
 
 # Warnings and the processor, for Stroma's own code.

@@ -4,6 +4,7 @@
 set(STROMA_TRILINOS_PACKAGES
     Teuchos Kokkos Tpetra Belos Ifpack2 Amesos2 MueLu Thyra ThyraTpetraAdapters NOX)
 find_package(MPI REQUIRED COMPONENTS CXX)
+string(REPLACE ";" " " STROMA_TRILINOS_COMPONENTS "${STROMA_TRILINOS_PACKAGES}")
 find_package(Trilinos REQUIRED COMPONENTS ${STROMA_TRILINOS_PACKAGES})
 message(STATUS "Trilinos ${Trilinos_VERSION} in ${Trilinos_DIR}")
 
@@ -22,10 +23,12 @@ endif()
 target_link_libraries(stroma_trilinos INTERFACE MPI::MPI_CXX)
 
 # The compiler needs OpenMP's flag where Kokkos was built with it.
+set(STROMA_NEEDS_OPENMP OFF)
 find_file(STROMA_KOKKOS_CONFIG KokkosCore_config.h PATHS ${Trilinos_INCLUDE_DIRS} NO_DEFAULT_PATH)
 if(STROMA_KOKKOS_CONFIG)
   file(STRINGS ${STROMA_KOKKOS_CONFIG} kokkos_openmp REGEX "^#define KOKKOS_ENABLE_OPENMP$")
   if(kokkos_openmp)
+    set(STROMA_NEEDS_OPENMP ON)
     find_package(OpenMP REQUIRED COMPONENTS CXX)
     target_link_libraries(stroma_trilinos INTERFACE OpenMP::OpenMP_CXX)
   endif()
