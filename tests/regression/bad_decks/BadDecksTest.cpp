@@ -6,31 +6,19 @@
 /// contain; a line 'command: check' asks for another subcommand than run.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-namespace stroma {
+#include "support/Program.hpp"
+
+namespace stroma::test {
 namespace {
 
-namespace fs = std::filesystem;
-
 const fs::path corpus = fs::path(STROMA_SOURCE_DIR) / "tests" / "decks" / "bad";
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 bool is_deck(const fs::path& path) {
   return path.extension() == ".xml" || path.extension() == ".yaml" || path.extension() == ".yml";
@@ -64,51 +52,6 @@ Expected expected_of(fs::path deck) {
   return expected;
 }
 
-/// An empty folder that goes away with the test.
-class EmptyFolder {
- public:
-  EmptyFolder() {
-    std::string pattern = (fs::temp_directory_path() / "stroma_bad_deck_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-  }
-  ~EmptyFolder() { fs::remove_all(path_); }
-  EmptyFolder(const EmptyFolder&) = delete;
-  EmptyFolder& operator=(const EmptyFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-struct Outcome {
-  int status;
-  std::string standard_output;
-  std::string standard_error;
-};
-
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
-/// Runs the program as a user does: alone, not as a rank of the MPI job that runs this test, whose
-/// environment it must therefore not see.
-Outcome run_program(const std::string& command, const fs::path& deck,
-                    const fs::path& working_folder, const fs::path& capture_folder) {
-  const fs::path output = capture_folder / "output";
-  const fs::path error = capture_folder / "error";
-  const std::string environment =
-      "env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" OMP_NUM_THREADS=1 "
-      "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-      // One rank needs no daemon and no network: a quarter of the time.
-      "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_create_session_dirs=0 OMPI_MCA_pml=ob1 "
-      "OMPI_MCA_btl=self ";
-  const std::string line = "cd " + quoted(working_folder) + " && " + environment +
-                           quoted(STROMA_EXECUTABLE) + " " + command + " " + quoted(deck) + " > " +
-                           quoted(output) + " 2> " + quoted(error);
-  const int result = std::system(line.c_str());
-  const int status = WIFEXITED(result) ? WEXITSTATUS(result) : -1;
-  return {status, content_of(output), content_of(error)};
-}
-
 class BadDeck : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(BadDeck, EndsWithAPlainMessage) {
@@ -116,10 +59,8 @@ TEST_P(BadDeck, EndsWithAPlainMessage) {
   const Expected expected = expected_of(deck);
   ASSERT_FALSE(expected.texts.empty()) << "no " << deck.stem() << ".expected, or an empty one";
 
-  const EmptyFolder working_folder;
-  const EmptyFolder capture_folder;
-  const Outcome outcome =
-      run_program(expected.command, deck, working_folder.path(), capture_folder.path());
+  const TemporaryFolder working_folder;
+  const Outcome outcome = run_stroma(working_folder.path(), expected.command + " " + quoted(deck));
   const std::string told = "standard error:\n" + outcome.standard_error;
 
   EXPECT_EQ(outcome.status, 2) << told;
@@ -162,4 +103,4 @@ TEST(BadDeckCorpus, IsCompleteAndHasNoOrphans) {
 }
 
 }  // namespace
-}  // namespace stroma
+}  // namespace stroma::test
