@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -185,7 +186,11 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others
     // waiting.
-    std::cerr << "stroma: rank " << communicator.rank() << ": " << error.what() << std::endl;
+    const bool out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    std::cerr << "stroma: rank " << communicator.rank() << ": "
+              << (out_of_memory ? "out of memory; take more machines, or a smaller Image|Region"
+                                : error.what())
+              << std::endl;
     if (communicator.size() > 1)
       MPI_Abort(communicator.raw(), static_cast<int>(ExitStatus::run_failed));
     return static_cast<int>(ExitStatus::run_failed);
