@@ -1,0 +1,97 @@
+/// \file
+/// A broken image ends `stroma image` and `stroma run` with exit status 2, a plain message, and
+/// nothing else: no banner, no output folder. (Every format's own ways to be broken:
+/// tests/unit/image.)
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/Program.hpp"
+
+namespace stroma::test {
+namespace {
+
+/// A sound image to break: 8 x 8 x 3 voxels, written by the program itself.
+std::string sound_tiff() {
+  static const std::string bytes = [] {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_stroma(
+        folder.path(), "phantom -o sound.tif --size 24,24,8 --voxel 2,2,2 --fraction 0.2");
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    return content_of(folder / "sound.tif");
+  }();
+  return bytes;
+}
+
+std::string meta_image(const std::string& size, const std::string& values) {
+  return "ObjectType = Image\nNDims = 3\nDimSize = " + size +
+         "\nElementSpacing = 1 1 1\nDistanceUnits = um\nElementType = MET_UCHAR\n"
+         "ElementDataFile = LOCAL\n" +
+         values;
+}
+
+struct BrokenImage {
+  std::string name;
+  std::string file;
+  std::function<std::string()> bytes;
+  std::string options;  ///< of `stroma image`
+  std::string says;
+};
+
+class BrokenImages : public testing::TestWithParam<BrokenImage> {};
+
+TEST_P(BrokenImages, EndWithExitStatusTwoAndAPlainMessage) {
+  const BrokenImage& broken = GetParam();
+  const TemporaryFolder folder;
+  folder.write(broken.file, broken.bytes());
+  folder.write("deck.yaml",
+               "Stroma:\n  Image: {File: " + broken.file +
+                   ", \"Voxel Size [um]\": [2.0, 2.0, 2.0]" +
+                   (broken.options.empty() ? "" : ", Channel: 7") +
+                   "}\n"
+                   "  Materials:\n"
+                   "    gel: {Label: 0, \"Shear Modulus [Pa]\": 1.0, Poisson Ratio: 0.3}\n"
+                   "    vessel: {Label: 1, \"Shear Modulus [Pa]\": 2.0, Poisson Ratio: 0.3}\n"
+                   "  Grid: {Elements: [1, 1, 1]}\n"
+                   "  Boundary Conditions: {bottom: {Face: y-, Components: xyz}}\n");
+  for (const std::string& command :
+       {"image " + broken.file + " " + broken.options, std::string("run deck.yaml -o results")}) {
+    SCOPED_TRACE(command);
+    const Outcome outcome = run_stroma(folder.path(), command);
+    EXPECT_EQ(outcome.status, 2) << outcome.standard_error;
+    EXPECT_NE(outcome.standard_error.find(broken.file), std::string::npos)
+        << outcome.standard_error;
+    EXPECT_NE(outcome.standard_error.find(broken.says), std::string::npos)
+        << outcome.standard_error;
+    EXPECT_LE(std::count(outcome.standard_error.begin(), outcome.standard_error.end(), '\n'), 4)
+        << outcome.standard_error;
+    EXPECT_FALSE(fs::exists(folder / "results"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, BrokenImages,
+    testing::Values(
+        BrokenImage{"truncated", "cut.tif",
+                    [] { return sound_tiff().substr(0, sound_tiff().size() / 2); }, "",
+                    "broken or truncated TIFF"},
+        BrokenImage{"wrong_magic", "magic.tif", [] { return "XX" + sound_tiff().substr(2); }, "",
+                    "in no format known here"},
+        BrokenImage{"zero_size", "empty.tif", [] { return std::string(); }, "",
+                    "is empty (0 bytes)"},
+        BrokenImage{"absurd_dimensions", "absurd.mha",
+                    [] { return meta_image("1000000000 1000000000 1000", "abc"); }, "",
+                    "cannot hold them"},
+        BrokenImage{"values_missing", "short.mha", [] { return meta_image("8 8 8", "abc"); }, "",
+                    "is truncated"},
+        BrokenImage{"missing_channel", "sound.tif", sound_tiff, "--channel 7", "has no channel 7"},
+        BrokenImage{"unknown_format", "image.xyz", [] { return std::string("hello"); }, "",
+                    "admissible: TIFF"}),
+    [](const auto& info) { return info.param.name; });
+
+}  // namespace
+}  // namespace stroma::test
