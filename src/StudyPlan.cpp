@@ -138,6 +138,11 @@ MemberFacts facts_of(const Deck& deck, const std::array<double, 3>& length) {
 /// Members with their decks; all mistakes that show in the decks alone.
 void read_members(StudyPlan& plan, const std::string& output_folder) {
   const std::string base_deck = plan.study.document.resolve(plan.study.parameters.base_deck);
+  if (!fs::exists(base_deck)) {
+    deck::Findings findings(plan.study.document);
+    findings.add("Base Deck", "there is no file '" + base_deck + "'");
+    findings.throw_if_any();
+  }
   const deck::Document base = deck::load(base_deck);  // whether it can be read at all
   const deck::tree::Parameter* base_title = base.root().parameter("Title");
   const std::string own_title = base_title != nullptr ? base_title->text : "";

@@ -58,7 +58,7 @@ std::vector<double> force_along(const output::MovingSupport& support,
   std::vector<double> force(history.rows(), 0.0);
   for (std::size_t d = 0; d < 3; ++d) {
     const auto& reaction = history.column(support.name + ".reaction_" + "xyz"[d]);
-    for (std::size_t s = 0; s < force.size(); ++s) force[s] += reaction[s] * way[d] / length;
+    for (std::size_t s = 0; s < force.size(); ++s) force[s] += reaction[s] * (way[d] / length);
   }
   return force;
 }

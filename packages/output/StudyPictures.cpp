@@ -13,10 +13,11 @@ namespace {
 using base::format;
 
 /// Height that the plot itself and a legend of so many lines below it need.
-int height_with_key(std::size_t lines) { return 700 + 24 * static_cast<int>(lines); }
+int height_with_key(std::size_t lines) { return 724 + 24 * static_cast<int>(lines); }
 
 const char* const key_below =
-    "set key below left Left reverse maxcols 1 width 2\nset grid lc rgb '#dddddd' lt 1 lw 1\n";
+    "set key below left Left reverse maxcols 1 width 2 title ' '\nset grid lc rgb '#dddddd' lt 1 "
+    "lw 1\n";
 
 double largest_of(double largest, const std::vector<double>& values) {
   for (const double value : values) largest = std::max(largest, std::abs(value));

@@ -203,7 +203,8 @@ TEST(SimpleShearDeck, HasTheAnswerOnPaper) {
 }
 
 TEST(InputDecks, AllOfThemAreTested) {
-  std::vector<std::string> tested{"04_simple_shear"};
+  // 06_resolution_study is run by tests/regression/study.
+  std::vector<std::string> tested{"04_simple_shear", "06_resolution_study"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))
