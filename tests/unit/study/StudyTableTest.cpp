@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "StudyTable.hpp"
-#include "base/Error.hpp"
 #include "support/Program.hpp"
 
 namespace stroma {
@@ -18,26 +17,6 @@ output::HistoryTable history_of(const std::string& text) {
 const std::string header =
     "step,load,newton_iterations,linear_iterations,residual,wall_seconds,strain_energy,"
     "top.reaction_x,top.reaction_y,top.reaction_z,\"a \"\"b\"\", c.von_mises_mean\"\n";
-
-TEST(HistoryTable, ReadsWhatHistoryWrites) {
-  const auto history = history_of(header + "0,0,0,0,0,0,0,0,0,0,0\n" +
-                                  "1,1,2,30,1e-9,0.5,0.1,3,4,0,7.0000000000000009\n");
-  EXPECT_EQ(history.rows(), 2u);
-  EXPECT_TRUE(history.reached_full_load());
-  EXPECT_EQ(history.column("a \"b\", c.von_mises_mean")[1], 7.0000000000000009);
-  EXPECT_EQ(history.find("nothing"), nullptr);
-  EXPECT_THROW(history.column("nothing"), base::RunError);
-}
-
-TEST(HistoryTable, CountsWholeRowsOnly) {
-  const auto history =
-      history_of(header + "0,0,0,0,0,0,0,0,0,0,0\n" + "1,1,2,30,1e-9,0.5,0.1,3,4,0,7.00");
-  EXPECT_EQ(history.rows(), 1u);
-  EXPECT_FALSE(history.reached_full_load());
-  EXPECT_THROW(history_of(header + "0,0,0\n"), base::RunError);
-  EXPECT_THROW(history_of(header + "0,0,0,0,0,0,0,0,0,0,soft\n"), base::RunError);
-  EXPECT_THROW(output::HistoryTable("/nowhere/history.csv"), base::RunError);
-}
 
 TEST(StudyTable, HasARowForEachMember) {
   const std::vector<Variation> variations{{"grid, of elements", {}}};
