@@ -175,9 +175,12 @@ int main(int argc, char** argv) {
           options.output.empty() ? default_folder(options.deck) : options.output;
       stroma::study_command(communicator, options.deck, folder, log);
     } else if (*reference) {
-      log.line(options.section == "Study"
-                   ? stroma::deck::reference(stroma::study_section())
-                   : stroma::deck::reference(stroma::deck_section(), options.section));
+      const bool of_study = (options.section + "|").rfind("Study|", 0) == 0;
+      log.line(of_study ? stroma::deck::reference(
+                              stroma::study_section(),
+                              options.section.substr(std::min<std::size_t>(
+                                  options.section.size(), std::strlen("Study|"))))
+                        : stroma::deck::reference(stroma::deck_section(), options.section));
     }
   } catch (const stroma::base::InputError& error) {
     return fail(ExitStatus::wrong_input, error.what());
