@@ -17,9 +17,8 @@ using base::format;
 void check_image(const base::Communicator& communicator, const Deck& deck,
                  const image::ImageSummary& summary, const image::LabelVolume& labels,
                  const std::array<double, 3>& spacing, base::Log& log) {
-  log.line(format("image       %s: %s, %s",
-                  summary.path.empty() ? "phantom" : summary.path.c_str(), summary.format.c_str(),
-                  summary.type.name().c_str()));
+  log.line(format("image       %s: %s, %s", summary.path.empty() ? "phantom" : summary.path.c_str(),
+                  summary.format.c_str(), summary.type.name().c_str()));
   log.line(format("size        %lld x %lld x %lld voxels", static_cast<long long>(labels.size[0]),
                   static_cast<long long>(labels.size[1]), static_cast<long long>(labels.size[2])));
   log.line(format("voxel       %.8g x %.8g x %.8g um, from: %s", labels.voxel_size[0],
@@ -35,7 +34,8 @@ void check_image(const base::Communicator& communicator, const Deck& deck,
     const auto found = fractions.find(material.label);
     const double fraction = found == fractions.end() ? 0.0 : found->second;
     const auto planes = image::plane_fractions(communicator, labels, material.label);
-    std::string line = format("fraction    %-12s label %d: %.6f", name.c_str(), material.label, fraction);
+    std::string line =
+        format("fraction    %-12s label %d: %.6f", name.c_str(), material.label, fraction);
     if (planes.size() > 1) {
       const auto [least, most] = std::minmax_element(planes.begin(), planes.end());
       line += format(", per slice %.4f to %.4f", *least, *most);
@@ -60,12 +60,13 @@ void check_image(const base::Communicator& communicator, const Deck& deck,
   if (fractions.count(-1) > 0) log.line(format("fraction    empty (-1): %.6f", fractions.at(-1)));
   const image::Objects objects(communicator, labels, image::Connectivity::corners);
   log.line(format("objects     %lld (26-connected), the largest of %lld voxels",
-                  static_cast<long long>(objects.count()), static_cast<long long>(objects.largest())));
+                  static_cast<long long>(objects.count()),
+                  static_cast<long long>(objects.largest())));
 }
 
 /// Bytes on the rank with the most, by what docs/performance.md lists.
-void check_memory(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-                  base::Log& log) {
+void check_memory(const base::Communicator& communicator, const Deck& deck,
+                  const Specimen& specimen, base::Log& log) {
   const auto particles = static_cast<double>(specimen.particles.count());
   const auto nodes =
       static_cast<double>(specimen.partition.touched_nodes(communicator.rank()).count());
@@ -79,12 +80,13 @@ void check_memory(const base::Communicator& communicator, const Deck& deck, cons
   const double total = state + results + matrix + vectors + hierarchy;
   const double gib = 1.0 / (1024.0 * 1024.0 * 1024.0);
   const double most = communicator.max(total);
-  log.line(format("memory      about %.2f GiB on the fullest of %d rank%s: particles %.2f, their results "
-                  "%.2f, tangent %.2f, vectors %.2f, preconditioner %.2f",
-                  most * gib, communicator.size(), communicator.size() == 1 ? "" : "s",
-                  communicator.max(state) * gib, communicator.max(results) * gib,
-                  communicator.max(matrix) * gib, communicator.max(vectors) * gib,
-                  communicator.max(hierarchy) * gib));
+  log.line(format(
+      "memory      about %.2f GiB on the fullest of %d rank%s: particles %.2f, their results "
+      "%.2f, tangent %.2f, vectors %.2f, preconditioner %.2f",
+      most * gib, communicator.size(), communicator.size() == 1 ? "" : "s",
+      communicator.max(state) * gib, communicator.max(results) * gib,
+      communicator.max(matrix) * gib, communicator.max(vectors) * gib,
+      communicator.max(hierarchy) * gib));
   if (deck.parameters.solver.preconditioner == solver::PreconditionerKind::direct)
     log.note("the factors of Preconditioner = Direct come on top; they grow fast with the grid");
 }
@@ -106,19 +108,20 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   const auto flags = balance.filled_elements();
   for (std::size_t e = 0; e < flags.extent(0); ++e) filled += flags(e);
   filled = communicator.sum(filled);
-  log.line(format("elements    %lld x %lld x %lld of %.8g x %.8g x %.8g um, %lld of %lld with particles",
-                  static_cast<long long>(grid.elements[0]), static_cast<long long>(grid.elements[1]),
-                  static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1],
-                  grid.spacing[2], static_cast<long long>(filled),
-                  static_cast<long long>(grid.all_elements().count())));
+  log.line(format(
+      "elements    %lld x %lld x %lld of %.8g x %.8g x %.8g um, %lld of %lld with particles",
+      static_cast<long long>(grid.elements[0]), static_cast<long long>(grid.elements[1]),
+      static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1], grid.spacing[2],
+      static_cast<long long>(filled), static_cast<long long>(grid.all_elements().count())));
   log.line(format("particles   %lld, %.4g per element with particles",
                   static_cast<long long>(specimen.particle_count),
                   static_cast<double>(specimen.particle_count) / static_cast<double>(filled)));
   log.line(format("unknowns    %lld", static_cast<long long>(balance.supports().unknowns())));
   for (const auto& hold : balance.supports().rigid_holds())
-    log.note(format("the boundary conditions leave a rigid motion free; u_%c will be held at the node at "
-                    "(%g, %g, %g) um, which has no effect on the stress",
-                    "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+    log.note(format(
+        "the boundary conditions leave a rigid motion free; u_%c will be held at the node at "
+        "(%g, %g, %g) um, which has no effect on the stress",
+        "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
   check_memory(communicator, deck, specimen, log);
   log.line("the deck is ready to run");
 }

@@ -10,9 +10,9 @@
 namespace stroma {
 
 /// Prints what the deck describes: the image, its volume fractions (whole and per slice), connected
-/// objects and their width in elements, the counts of particles, elements and unknowns, and the memory
-/// that a run needs per rank. Collective.
-/// \throws base::InputError when the input is wrong, as a run would
+/// objects and their width in elements, the counts of particles, elements and unknowns, and the
+/// memory that a run needs per rank. Collective. \throws base::InputError when the input is wrong,
+/// as a run would
 void check_command(const base::Communicator& communicator, const Deck& deck, base::Log& log);
 
 }  // namespace stroma

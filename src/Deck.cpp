@@ -13,7 +13,8 @@ namespace stroma {
 
 deck::Section<DeckParameters> deck_section() {
   deck::Section<DeckParameters> section(
-      "Stroma", "A specimen from an image, its materials, supports and load, and how it is solved.");
+      "Stroma",
+      "A specimen from an image, its materials, supports and load, and how it is solved.");
   section.optional("Title", &DeckParameters::title, deck::any(),
                    "One line about the run; it stands in the results and on the pictures.");
   section.required_section(image::image_section(), &DeckParameters::image);
@@ -39,14 +40,16 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
   DeckParameters parameters = deck.parameters;
   if (parameters.image.file)
-    parameters.image.file =
-        std::filesystem::absolute(deck.document.resolve(*parameters.image.file)).lexically_normal().string();
+    parameters.image.file = std::filesystem::absolute(deck.document.resolve(*parameters.image.file))
+                                .lexically_normal()
+                                .string();
   return deck::filled(deck_section(), parameters);
 }
 
 base::InputError located(const Deck& deck, const base::InputError& error) {
-  static const std::vector<std::string> sections{"Image", "Materials", "Particles", "Grid",
-                                                 "Boundary Conditions", "Loading", "Solver", "Output"};
+  static const std::vector<std::string> sections{
+      "Image",   "Materials", "Particles", "Grid", "Boundary Conditions",
+      "Loading", "Solver",    "Output"};
   deck::Findings findings(deck.document);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) {

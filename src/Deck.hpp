@@ -46,8 +46,8 @@ struct Deck {
 /// \throws base::InputError with every mistake of the deck
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides);
 
-/// The deck as run, every default filled in and the image's file name absolute, so that it can be run
-/// again from any folder.
+/// The deck as run, every default filled in and the image's file name absolute, so that it can be
+/// run again from any folder.
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);
 
 /// Mistakes that show only once the image is read, as mistakes of the deck: a line that starts with

@@ -70,8 +70,8 @@ output::HistoryRow Results::with_figures(
   row.strain_energy = sums.back();
   for (std::size_t m = 0; m < materials_.size(); ++m) {
     const double volume = sums[2 * m];
-    row.materials.push_back({volume, volume > 0.0 ? sums[2 * m + 1] / volume : 0.0,
-                             communicator_.max(largest[m])});
+    row.materials.push_back(
+        {volume, volume > 0.0 ? sums[2 * m + 1] / volume : 0.0, communicator_.max(largest[m])});
   }
   return row;
 }
@@ -131,7 +131,8 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
     if (grid.flat) {  // the file's element has its two layers of nodes
       for (double& value : values) value *= share;
       values.resize(2 * view.size());
-      std::copy_n(values.begin(), view.size(), values.begin() + static_cast<std::ptrdiff_t>(view.size()));
+      std::copy_n(values.begin(), view.size(),
+                  values.begin() + static_cast<std::ptrdiff_t>(view.size()));
     }
     return values;
   };
@@ -165,7 +166,7 @@ std::vector<output::MovingSupport> Results::moving_supports() const {
 }
 
 void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
-                     double seconds) {
+                     const std::function<double()>& seconds) {
   const auto fields = balance.particle_fields(u);
   if (particles_step_ != rows_.back().step) write_particles(fields);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
@@ -180,7 +181,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
       if (!note.empty()) log_->note(note);
   }
   stage.reset();
-  print_table(moving, seconds);
+  print_table(moving, seconds());
 }
 
 void Results::print_table(const std::vector<output::MovingSupport>& moving, double seconds) const {
@@ -191,7 +192,8 @@ void Results::print_table(const std::vector<output::MovingSupport>& moving, doub
     return largest;
   };
   std::string head = "\n step    load  Newton  linear";
-  for (const auto& support : moving) head += base::format("  %16s", (support.name + " force").c_str());
+  for (const auto& support : moving)
+    head += base::format("  %16s", (support.name + " force").c_str());
   for (const auto& name : materials_) head += base::format("  %28s", (name + " von Mises").c_str());
   log_->line(head);
   for (const output::HistoryRow& row : rows_) {

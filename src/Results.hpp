@@ -3,6 +3,7 @@
 /// \file
 /// What a run leaves on disk, step by step.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ class Results {
 
   /// Writes the last accepted step's fields if they were not due, draws the pictures and prints a
   /// table of all steps: at the end of a run, and of one that failed. Collective.
-  void finish(const mechanics::MomentumBalance& balance, const grid::Vector& u, double seconds);
+  void finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
+              const std::function<double()>& seconds);
 
  private:
   output::ParticleSet particle_set() const;

@@ -26,21 +26,24 @@ void describe(const base::Communicator& communicator, const Specimen& specimen,
                   image.voxel_size.um[1], image.voxel_size.um[2], image.format.c_str()));
   for (const std::string& note : image.notes) log.note(note);
   log.line(format("grid       %lld x %lld x %lld elements of %g x %g x %g um, %lld unknowns",
-                  static_cast<long long>(grid.elements[0]), static_cast<long long>(grid.elements[1]),
+                  static_cast<long long>(grid.elements[0]),
+                  static_cast<long long>(grid.elements[1]),
                   static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1],
                   grid.spacing[2], static_cast<long long>(balance.supports().unknowns())));
   log.line(format("particles  %lld, on %d rank%s", static_cast<long long>(specimen.particle_count),
                   communicator.size(), communicator.size() == 1 ? "" : "s"));
   for (const auto& hold : balance.supports().rigid_holds())
-    log.note(format("the boundary conditions leave a rigid motion free; u_%c is held at the node at "
-                    "(%g, %g, %g) um, which has no effect on the stress",
-                    "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+    log.note(
+        format("the boundary conditions leave a rigid motion free; u_%c is held at the node at "
+               "(%g, %g, %g) um, which has no effect on the stress",
+               "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
 }
 
-std::string failure(const Deck& deck, const mechanics::WorstParticle& worst, double load, double next,
-                    const std::string& reason, const std::string& folder) {
+std::string failure(const Deck& deck, const mechanics::WorstParticle& worst, double load,
+                    double next, const std::string& reason, const std::string& folder) {
   return format(
-             "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step forbids "
+             "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step "
+             "forbids "
              "smaller ones: %s\n",
              load, next, reason.c_str()) +
          format("worst particle: id %lld, material \"%s\", at (%.6g, %.6g, %.6g) um, J = %.4g\n",
@@ -76,10 +79,11 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   describe(communicator, specimen, balance, log);
   Results results(communicator, deck, specimen, folder, log);
 
-  solver::NewtonSolver newton(p.solver, balance, [&](int iteration, double residual, long long linear) {
-    log.line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s", iteration,
-                    residual, linear, seconds()));
-  });
+  solver::NewtonSolver newton(
+      p.solver, balance, [&](int iteration, double residual, long long linear) {
+        log.line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s",
+                        iteration, residual, linear, seconds()));
+      });
   solver::StepControl load(p.loading);
   grid::Vector u(balance.owned_map());         // displacement since the base configuration
   grid::Vector previous(balance.owned_map());  // that of the step before, at previous_load
@@ -106,9 +110,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
       log.line(format("step to load %.6g rejected: %s", next, rejected.what()));
       const double from = load.load();
       if (!load.reject()) {
-        results.finish(balance, u, seconds());
-        throw base::RunError(failure(deck, balance.worst_particle(trial), from, next, rejected.what(),
-                                     folder.folder()));
+        results.finish(balance, u, seconds);
+        throw base::RunError(failure(deck, balance.worst_particle(trial), from, next,
+                                     rejected.what(), folder.folder()));
       }
       may_extrapolate = false;
       continue;
@@ -129,13 +133,13 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     row.residual = newton_result.residual;
     row.wall_seconds = seconds();
     results.write(row, balance, u);
-    log.line(format("step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
-                    "%.0f s left",
-                    load.accepted(), load.load(), newton_result.iterations,
-                    newton_result.linear_iterations, newton_result.residual, seconds(),
-                    seconds() * (1.0 - load.load()) / load.load()));
+    log.line(format(
+        "step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
+        "%.0f s left",
+        load.accepted(), load.load(), newton_result.iterations, newton_result.linear_iterations,
+        newton_result.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
   }
-  results.finish(balance, u, seconds());
+  results.finish(balance, u, seconds);
 }
 
 }  // namespace stroma

@@ -17,7 +17,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   const base::Stage stage("particles");
   const DeckParameters& p = deck.parameters;
   std::array<double, 3> length;
-  for (int d = 0; d < 3; ++d) length[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];
+  for (int d = 0; d < 3; ++d)
+    length[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];
   grid::Grid grid = grid::make_grid(p.grid, length);
   if (p.image.region)  // positions are those in the whole image
     for (std::size_t d = 0; d < 3; ++d)
@@ -25,10 +26,12 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
 
   const auto partition = grid::Partition::balanced(
       grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
-  Specimen specimen{summary, partition,
+  Specimen specimen{summary,
+                    partition,
                     particles::seed(communicator, p.particles, partition, labels,
                                     material::material_of_label(p.materials.materials)),
-                    {}, 0};
+                    {},
+                    0};
   for (std::size_t d = 0; d < 3; ++d) {
     switch (p.particles.layout) {
       case particles::Layout::voxel_centers:

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -24,6 +25,7 @@
 #include "base/Error.hpp"
 #include "base/Log.hpp"
 #include "deck/Nearest.hpp"
+#include "output/ExodusFile.hpp"
 
 namespace {
 
@@ -123,10 +125,12 @@ int main(int argc, char** argv) {
   add_phantom(*phantom, options.phantom);
   CLI::App* study = app.add_subcommand("study", "run decks that differ in named parameters");
   study->add_option("STUDY", options.deck, "the study deck, .xml or .yaml")->required();
-  study->add_option("-o,--output", options.output, "output folder; else the deck's name without ending");
+  study->add_option("-o,--output", options.output,
+                    "output folder; else the deck's name without ending");
   study->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
-  reference->add_option("SECTION", options.section, "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
+  reference->add_option("SECTION", options.section,
+                        "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
 
   // Kokkos gets its own words only: it would answer --help too. Every rank parses the rest alike.
   std::vector<char*> own_words, kokkos_words{argv[0]};
@@ -185,7 +189,14 @@ int main(int argc, char** argv) {
   } catch (const stroma::base::InputError& error) {
     return fail(ExitStatus::wrong_input, error.what());
   } catch (const stroma::base::RunError& error) {
-    return fail(ExitStatus::run_failed, error.what());
+    const int status = fail(ExitStatus::run_failed, error.what());
+    if (communicator.any(stroma::output::files_are_stuck())) {
+      // HDF5 would try again to close them, within MPI_Finalize, and crash there.
+      std::cout << std::flush;
+      communicator.barrier();
+      std::_Exit(status);
+    }
+    return status;
   } catch (const std::exception& error) {
     // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others
     // waiting.

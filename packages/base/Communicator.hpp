@@ -63,7 +63,8 @@ class Communicator {
   /// Sums an array over the ranks, in place on every rank.
   template <class T>
   void sum_all(T* values, std::size_t count) const {
-    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), mpi_type<T>(), MPI_SUM, communicator_);
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), mpi_type<T>(), MPI_SUM,
+                  communicator_);
   }
   /// Sum of the values of the ranks before this one.
   template <class T>

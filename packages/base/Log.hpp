@@ -1,7 +1,8 @@
 #pragma once
 
 /// \file
-/// What the program tells its user while it works: to standard output and to log.txt, from one rank.
+/// What the program tells its user while it works: to standard output and to log.txt, from one
+/// rank.
 
 #include <fstream>
 #include <string>
@@ -10,7 +11,8 @@
 
 namespace stroma::base {
 
-/// Prints lines on rank 0 and silently does nothing on the others, so that callers need no rank tests.
+/// Prints lines on rank 0 and silently does nothing on the others, so that callers need no rank
+/// tests.
 class Log {
  public:
   /// \param quiet  nothing on standard output (the file is written all the same)

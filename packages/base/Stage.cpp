@@ -7,7 +7,8 @@ namespace stroma::base {
 namespace {
 
 std::vector<Teuchos::RCP<Teuchos::Time>>& stages() {
-  static std::vector<Teuchos::RCP<Teuchos::Time>> list;  // in order of first use, as Teuchos' is not
+  static std::vector<Teuchos::RCP<Teuchos::Time>>
+      list;  // in order of first use, as Teuchos' is not
   return list;
 }
 

@@ -16,8 +16,8 @@ class TimeMonitor;
 
 namespace stroma::base {
 
-/// Counts the time from its construction to its destruction to a named stage of the run, in Teuchos'
-/// timers, where other tools find it too.
+/// Counts the time from its construction to its destruction to a named stage of the run, in
+/// Teuchos' timers, where other tools find it too.
 class Stage {
  public:
   explicit Stage(const std::string& name);
@@ -29,8 +29,8 @@ class Stage {
   Teuchos::RCP<Teuchos::TimeMonitor> monitor_;
 };
 
-/// Seconds of each stage so far, of the rank that spent most in it, in order of first use. Collective;
-/// every rank must have been in the same stages.
+/// Seconds of each stage so far, of the rank that spent most in it, in order of first use.
+/// Collective; every rank must have been in the same stages.
 std::vector<std::pair<std::string, double>> stage_seconds(const Communicator& communicator);
 
 }  // namespace stroma::base

@@ -50,9 +50,8 @@ class Document {
 
 /// Reads a deck: YAML if its name ends in .yaml or .yml, XML if in .xml.
 /// \param overrides  'Section|Sub|Parameter=value', as given to --set
-/// \throws base::InputError  another ending; the file cannot be read or is not well-formed (with
-/// the
-///   line)
+/// \throws base::InputError  another ending; the file cannot be read or is not well-formed (the
+///                           message has the line)
 Document load(const std::string& path, const std::vector<std::string>& overrides = {});
 
 /// The same from text; `path` only serves the messages and folder().

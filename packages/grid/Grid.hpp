@@ -47,8 +47,8 @@ struct Grid {
   Index3 elements{1, 1, 1};                      ///< elements per direction
   std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< position of node (0, 0, 0) [um]
   std::array<double, 3> spacing{1.0, 1.0, 1.0};  ///< size of an element [um]
-  /// Plane strain: one element through z, whose lower and upper nodes are one and the same, for nothing
-  /// varies along z. Half the unknowns, and none of the stiff modes across a thin slice.
+  /// Plane strain: one element through z, whose lower and upper nodes are one and the same, for
+  /// nothing varies along z. Half the unknowns, and none of the stiff modes across a thin slice.
   bool flat = false;
 
   Box all_elements() const { return {{0, 0, 0}, elements}; }

@@ -11,14 +11,16 @@ namespace stroma::grid {
 deck::Section<GridParameters> grid_section() {
   deck::Section<GridParameters> section(
       "Grid", "The structured background grid; it fills the box of the specimen.");
-  section.optional("Element Size [um]", &GridParameters::element_size, deck::positive(),
-                   "Size of an element along x, y, z. It must divide the edges of the box. Either this "
-                   "or Elements.");
+  section.optional(
+      "Element Size [um]", &GridParameters::element_size, deck::positive(),
+      "Size of an element along x, y, z. It must divide the edges of the box. Either this "
+      "or Elements.");
   section.optional("Elements", &GridParameters::elements, deck::at_least(1),
                    "Number of elements along x, y, z, instead of their size.");
-  section.optional("Reset", &GridParameters::reset, deck::any(),
-                   "Whether the grid returns to its Cartesian shape after each load step. This version "
-                   "offers false: the grid convects with the particles.");
+  section.optional(
+      "Reset", &GridParameters::reset, deck::any(),
+      "Whether the grid returns to its Cartesian shape after each load step. This version "
+      "offers false: the grid convects with the particles.");
   section.choice("Shape Functions", &GridParameters::shape_functions,
                  {{"Linear", ShapeFunctions::linear}},
                  "Interpolation between particles and nodes.");
@@ -28,9 +30,9 @@ deck::Section<GridParameters> grid_section() {
     if (p.element_size && p.elements)
       findings.add("Elements", "given beside \"Element Size [um]\"; give one of the two");
     if (!p.element_size && !p.elements)
-      findings.add("Element Size [um]", "missing; give it, or Elements (their number along x, y, z)");
-    if (p.reset)
-      findings.add("Reset", "true is not available in this version; admissible: false");
+      findings.add("Element Size [um]",
+                   "missing; give it, or Elements (their number along x, y, z)");
+    if (p.reset) findings.add("Reset", "true is not available in this version; admissible: false");
   });
   return section;
 }
@@ -49,8 +51,10 @@ Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& le
       if (std::abs(count - static_cast<double>(grid.elements[d])) > 1e-6) {
         const double fewer = std::max(1.0, std::floor(count));
         mistakes += base::format(
-            "\nGrid|Element Size [um]: %.10g um does not divide the specimen's %.10g um along %s (%.4f "
-            "elements); admissible near it: %.10g um (%.0f elements) or %.10g um (%.0f elements), or "
+            "\nGrid|Element Size [um]: %.10g um does not divide the specimen's %.10g um along %s "
+            "(%.4f "
+            "elements); admissible near it: %.10g um (%.0f elements) or %.10g um (%.0f elements), "
+            "or "
             "use Grid|Elements",
             size, length[d], axis[d], count, length[d] / fewer, fewer, length[d] / (fewer + 1.0),
             fewer + 1.0);
@@ -60,10 +64,11 @@ Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& le
   }
   if (!mistakes.empty()) throw base::InputError(mistakes.substr(1));
   if (parameters.plane_strain && grid.elements[2] != 1) {
-    throw base::InputError(base::format(
-        "Grid|Plane Strain: true needs one element through z, but the grid has %lld; admissible: an "
-        "element size of %.10g um along z, or a Region of the image one slice thick",
-        static_cast<long long>(grid.elements[2]), length[2]));
+    throw base::InputError(
+        base::format("Grid|Plane Strain: true needs one element through z, but the grid has %lld; "
+                     "admissible: an "
+                     "element size of %.10g um along z, or a Region of the image one slice thick",
+                     static_cast<long long>(grid.elements[2]), length[2]));
   }
   grid.flat = parameters.plane_strain;
   return grid;

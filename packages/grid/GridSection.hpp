@@ -27,7 +27,7 @@ deck::Section<GridParameters> grid_section();
 /// The grid that fills the body's box.
 ///
 /// \param length  edges of the box [um], > 0
-/// \throws base::InputError when the element size does not divide the box (to 1e-6 of an element), or
+/// \throws base::InputError when the element size does not divide the box (to 1e-6 of an element);
 ///         when plane strain meets more than one element through z; the message names the nearest
 ///         sizes that fit
 Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& length);

@@ -69,13 +69,14 @@ Partition Partition::balanced(const Grid& grid, int ranks,
   const Index3 shape = rank_grid(grid, ranks);
   if (shape[0] == 0) {
     throw base::InputError(base::format(
-        "a grid of %lld x %lld x %lld elements cannot be dealt in boxes to %d ranks; run with fewer "
+        "a grid of %lld x %lld x %lld elements cannot be dealt in boxes to %d ranks; run with "
+        "fewer "
         "ranks",
         static_cast<long long>(grid.elements[0]), static_cast<long long>(grid.elements[1]),
         static_cast<long long>(grid.elements[2]), ranks));
   }
-  return Partition(grid, {cut(weights[0], shape[0]), cut(weights[1], shape[1]),
-                          cut(weights[2], shape[2])});
+  return Partition(
+      grid, {cut(weights[0], shape[0]), cut(weights[1], shape[1]), cut(weights[2], shape[2])});
 }
 
 Index3 Partition::coordinates(int rank) const {

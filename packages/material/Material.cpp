@@ -12,10 +12,10 @@ deck::Section<MaterialsParameters> materials_section() {
                   "Neo-Hookean: W = mu/2 (J^(-2/3) tr C - 3) + K/2 (ln J)^2.");
   material.required("Shear Modulus [Pa]", &MaterialParameters::shear_modulus, deck::positive(),
                     "Shear modulus mu.");
-  material.optional("Poisson Ratio", &MaterialParameters::poisson_ratio,
-                    deck::strictly_between(-1.0, 0.5),
-                    "Poisson's ratio of small strain; K = 2 mu (1 + nu) / (3 (1 - 2 nu)). Either this or "
-                    "Bulk Modulus [Pa].");
+  material.optional(
+      "Poisson Ratio", &MaterialParameters::poisson_ratio, deck::strictly_between(-1.0, 0.5),
+      "Poisson's ratio of small strain; K = 2 mu (1 + nu) / (3 (1 - 2 nu)). Either this or "
+      "Bulk Modulus [Pa].");
   material.optional("Bulk Modulus [Pa]", &MaterialParameters::bulk_modulus, deck::positive(),
                     "Bulk modulus K, instead of Poisson Ratio.");
   material.check([](const MaterialParameters& p, deck::Findings& findings) {
@@ -29,8 +29,7 @@ deck::Section<MaterialsParameters> materials_section() {
                                              "One sublist for each material, named by the user.");
   section.named_sections(material, &MaterialsParameters::materials);
   section.check([](const MaterialsParameters& p, deck::Findings& findings) {
-    if (p.materials.size() > 255)
-      findings.add(p.materials.back().first, "more than 255 materials");
+    if (p.materials.size() > 255) findings.add(p.materials.back().first, "more than 255 materials");
     std::map<int, std::string> owner;
     for (const auto& [name, parameters] : p.materials) {
       const auto [first, is_new] = owner.emplace(parameters.label, name);
@@ -50,8 +49,9 @@ std::vector<NeoHookean> laws(const NamedMaterials& materials) {
   std::vector<NeoHookean> laws;
   for (const auto& named : materials) {
     const MaterialParameters& p = named.second;
-    laws.push_back({p.shear_modulus,
-                    p.bulk_modulus ? *p.bulk_modulus : bulk_modulus(p.shear_modulus, *p.poisson_ratio)});
+    laws.push_back({p.shear_modulus, p.bulk_modulus
+                                         ? *p.bulk_modulus
+                                         : bulk_modulus(p.shear_modulus, *p.poisson_ratio)});
   }
   return laws;
 }

@@ -14,7 +14,9 @@ using tensor::Tensor3;
 struct Tensor4 {
   double value[3][3][3][3];
 
-  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j, int k, int l) { return value[i][j][k][l]; }
+  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j, int k, int l) {
+    return value[i][j][k][l];
+  }
   KOKKOS_INLINE_FUNCTION double operator()(int i, int j, int k, int l) const {
     return value[i][j][k][l];
   }
@@ -24,12 +26,12 @@ struct Tensor4 {
 ///
 ///     W = mu/2 (tr Cbar - 3) + K/2 (ln J)^2,   Cbar = J^(-2/3) F^T F,  J = det F.
 ///
-/// All functions take the displacement gradient H = F - I, H(i,j) = du_i/dX_j [-], instead of F, so that
-/// small strains keep full precision (docs/theory.md, "Digits of small strains"). Device code cannot
-/// throw: an inverted particle (J <= 0) gives results that are not finite.
+/// All functions take the displacement gradient H = F - I, H(i,j) = du_i/dX_j [-], instead of F, so
+/// that small strains keep full precision (docs/theory.md, "Digits of small strains"). Device code
+/// cannot throw: an inverted particle (J <= 0) gives results that are not finite.
 ///
-/// Source: the paper's equation (12); Simo & Hughes (1998), section 9.3 (isochoric part of the tangent).
-/// Symbols and units: docs/notation.md.
+/// Source: the paper's equation (12); Simo & Hughes (1998), section 9.3 (isochoric part of the
+/// tangent). Symbols and units: docs/notation.md.
 struct NeoHookean {
   double shear_modulus;  ///< mu [Pa], > 0
   double bulk_modulus;   ///< K [Pa], > 0
@@ -72,7 +74,8 @@ struct NeoHookean {
   ///     c = 2 m (I4 - 1/3 I x I) - 2/3 (s x I + I x s) + K I x I - 2 K ln J I4,
   ///
   /// with s = dev tau, m = mu/3 J^(-2/3) tr b, I4 the symmetric identity. Then
-  /// d(tau F^-T) = (a : D) F^-T for dF = D F: what a residual sum_p V0 tau grad N differentiates to.
+  /// d(tau F^-T) = (a : D) F^-T for dF = D F: what a residual sum_p V0 tau grad N differentiates
+  /// to.
   KOKKOS_INLINE_FUNCTION void stress_and_tangent(const Tensor3& H, Tensor3& tau, Tensor4& a) const {
     const double log_j = log1p(tensor::det_minus_one(H));
     const double factor = shear_modulus * exp(-2.0 / 3.0 * log_j);
@@ -88,7 +91,8 @@ struct NeoHookean {
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k)
           for (int l = 0; l < 3; ++l) {
-            const double ij = i == j, kl = k == l, ik = i == k, jl = j == l, il = i == l, jk = j == k;
+            const double ij = i == j, kl = k == l, ik = i == k, jl = j == l, il = i == l,
+                         jk = j == k;
             a(i, j, k, l) = volumetric * ij * kl + symmetric * (ik * jl + il * jk) -
                             2.0 / 3.0 * (s(i, j) * kl + ij * s(k, l)) + ik * tau(j, l);
           }

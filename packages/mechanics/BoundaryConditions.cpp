@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tensor/Tensor3.hpp"
+
 namespace stroma::mechanics {
 
 int axis_of(Face face) { return face == Face::all ? -1 : static_cast<int>(face) / 2; }
@@ -51,15 +53,18 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
                              {"z+", Face::z_upper},
                              {"all", Face::all}},
                             "A face of the body's box, or all six.");
-  condition.required("Components", &BoundaryCondition::components, deck::not_empty(),
-                     "The displacement components it prescribes: a selection of xyz, such as y or xyz.");
+  condition.required(
+      "Components", &BoundaryCondition::components, deck::not_empty(),
+      "The displacement components it prescribes: a selection of xyz, such as y or xyz.");
   condition.optional("Displacement [um]", &BoundaryCondition::displacement, deck::any(),
                      "Displacement at full load, x, y, z. Without any of Displacement, Strain and "
                      "Displacement Gradient the components are held at zero.");
-  condition.optional("Strain", &BoundaryCondition::strain, deck::any(),
-                     "Displacement along the outward normal at full load, as a fraction of the body's "
-                     "length there; the other components are held at zero.");
-  condition.optional("Displacement Gradient", &BoundaryCondition::displacement_gradient, deck::any(),
+  condition.optional(
+      "Strain", &BoundaryCondition::strain, deck::any(),
+      "Displacement along the outward normal at full load, as a fraction of the body's "
+      "length there; the other components are held at zero.");
+  condition.optional("Displacement Gradient", &BoundaryCondition::displacement_gradient,
+                     deck::any(),
                      "Nine numbers G, row by row: u = G (X - lowest corner of the body's box).");
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
@@ -75,17 +80,28 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
         break;
       }
     }
-    const int given = (p.displacement ? 1 : 0) + (p.strain ? 1 : 0) + (p.displacement_gradient ? 1 : 0);
+    const int given =
+        (p.displacement ? 1 : 0) + (p.strain ? 1 : 0) + (p.displacement_gradient ? 1 : 0);
     if (given > 1)
-      findings.add(p.strain ? "Strain" : "Displacement Gradient",
-                   "more than one of \"Displacement [um]\", \"Strain\" and \"Displacement Gradient\" is "
-                   "given; admissible: one of them");
+      findings.add(
+          p.strain ? "Strain" : "Displacement Gradient",
+          "more than one of \"Displacement [um]\", \"Strain\" and \"Displacement Gradient\" is "
+          "given; admissible: one of them");
     if (p.strain && *p.face == Face::all)
-      findings.add("Strain", "has no direction on Face = all; admissible: a single face, or "
-                             "\"Displacement Gradient\"");
+      findings.add("Strain",
+                   "has no direction on Face = all; admissible: a single face, or "
+                   "\"Displacement Gradient\"");
     else if (p.strain && !p.prescribes(axis_of(*p.face)))
       findings.add("Strain", std::string("is along the face's normal, ") + "xyz"[axis_of(*p.face)] +
                                  ", which \"Components\" does not prescribe");
+    if (p.displacement_gradient) {
+      const auto& G = *p.displacement_gradient;
+      const double j_minus_1 =
+          tensor::det_minus_one({{{G[0], G[1], G[2]}, {G[3], G[4], G[5]}, {G[6], G[7], G[8]}}});
+      if (!(1.0 + j_minus_1 > 0.0))
+        findings.add("Displacement Gradient",
+                     "turns the body inside out; admissible: det(I + G) > 0");
+    }
     if (p.strain && !(*p.strain > -1.0))
       findings.add("Strain", "a body cannot be compressed by 100 % or more; admissible: > -1");
   });

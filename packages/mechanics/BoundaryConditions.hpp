@@ -24,9 +24,9 @@ bool is_upper(Face face);
 /// any, the components are held at zero.
 struct BoundaryCondition {
   std::optional<Face> face;
-  std::string components;                                    ///< a selection of "xyz"
-  std::optional<std::array<double, 3>> displacement;         ///< [um], at full load
-  std::optional<double> strain;                              ///< along the outward normal [-]
+  std::string components;                                      ///< a selection of "xyz"
+  std::optional<std::array<double, 3>> displacement;           ///< [um], at full load
+  std::optional<double> strain;                                ///< along the outward normal [-]
   std::optional<std::array<double, 9>> displacement_gradient;  ///< G, row by row [-]
 
   bool prescribes(int component) const {

@@ -44,7 +44,8 @@ Kokkos::View<std::uint8_t*, grid::Device> active_nodes(
   Kokkos::deep_copy(touches, touch);
   grid::Vector owned(halo.owned_map());
   halo.sum_to_owner(owned);
-  const auto everywhere = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo.gather(owned));
+  const auto everywhere =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo.gather(owned));
   Kokkos::View<std::uint8_t*, grid::Device> active("active", everywhere.extent(0));
   const auto is_active = Kokkos::create_mirror_view(active);
   for (std::size_t n = 0; n < everywhere.extent(0); ++n) is_active(n) = everywhere(n, 0) > 0.0;
@@ -71,8 +72,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
   }
   Kokkos::deep_copy(law, host_law);
   law_ = law;
-  typical_diagonal_ =
-      stiffest * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
+  typical_diagonal_ = stiffest * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
   supports_ = std::make_unique<Supports>(halo_, conditions, active_nodes(halo_, box_, particles_));
 }
 
@@ -109,7 +109,7 @@ std::int64_t MomentumBalance::residual(const grid::Vector& u, grid::Vector& r) c
 grid::RCP<Matrix> MomentumBalance::tangent_matrix() {
   if (!tangent_) {
     const base::Stage stage("graph");
-      tangent_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
+    tangent_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
   }
   return tangent_->matrix();
 }
@@ -136,7 +136,8 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
   halo_.sum_to_owner(product);
 }
 
-transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(const grid::Vector& u) const {
+transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(
+    const grid::Vector& u) const {
   const base::Stage stage("grid to particles");
   transfer::ParticleFields<Device> fields(particles_.count());
   const transfer::GridToParticles<Shape, Law, Device> kernel{elements(u), law_, fields};
@@ -157,7 +158,7 @@ WorstParticle MomentumBalance::worst_particle(const grid::Vector& u) const {
     }
   const double least_of_all = communicator_.min(least);
   const int owner = communicator_.min(worst >= 0 && least == least_of_all ? communicator_.rank()
-                                                                           : communicator_.size());
+                                                                          : communicator_.size());
   WorstParticle result;
   if (owner == communicator_.size()) return result;
   if (owner == communicator_.rank()) {

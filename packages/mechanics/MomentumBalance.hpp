@@ -27,17 +27,17 @@ struct WorstParticle {
   std::array<double, 3> position{};  ///< at the base configuration [um]
 };
 
-/// Residual and tangent of the quasi-static balance of momentum. The unknown u is the displacement of
-/// the grid's nodes since the base configuration [um], in a Tpetra vector over owned_map():
+/// Residual and tangent of the quasi-static balance of momentum. The unknown u is the displacement
+/// of the grid's nodes since the base configuration [um], in a Tpetra vector over owned_map():
 ///
 ///     r_Ii(u) = sum_p V0 tau_ij dN_I/dx_j     [pN],      K = dr/du  [pN/um].
 ///
-/// Prescribed components of u (see Supports) are set by supports().impose(load, u); their rows of the
-/// residual are zero and their rows and columns of the tangent hold only a diagonal, so that K is
-/// symmetric and every Newton increment keeps them.
+/// Prescribed components of u (see Supports) are set by supports().impose(load, u); their rows of
+/// the residual are zero and their rows and columns of the tangent hold only a diagonal, so that K
+/// is symmetric and every Newton increment keeps them.
 ///
-/// Every member function is collective. Functions that evaluate particles return how many of them, over
-/// all ranks, u turns inside out; the results are then not finite and the caller rejects u.
+/// Every member function is collective. Functions that evaluate particles return how many of them,
+/// over all ranks, u turns inside out; the results are then not finite and the caller rejects u.
 class MomentumBalance {
  public:
   using Device = grid::Device;

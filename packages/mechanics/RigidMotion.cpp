@@ -120,8 +120,8 @@ void remove_direction(std::vector<Mode>& basis, const Mode& m) {
   basis = rest;
 }
 
-/// The candidate that stops most of what is free, agreed on by all ranks; ties go to the lowest node.
-/// Returns false if none stops anything.
+/// The candidate that stops most of what is free, agreed on by all ranks; ties go to the lowest
+/// node. Returns false if none stops anything.
 bool best_candidate(const base::Communicator& communicator, const Frame& frame,
                     const std::vector<Mode>& basis, const NodeComponents& free,
                     const std::function<bool(const NodeComponent&)>& admissible,
@@ -143,8 +143,8 @@ bool best_candidate(const base::Communicator& communicator, const Frame& frame,
   const bool in_race = best >= most * (1.0 - 1e-9);
   const std::int64_t node =
       communicator.min(in_race ? mine.node : std::numeric_limits<std::int64_t>::max());
-  const int winner = communicator.min(in_race && mine.node == node ? communicator.rank()
-                                                                   : communicator.size());
+  const int winner =
+      communicator.min(in_race && mine.node == node ? communicator.rank() : communicator.size());
   communicator.broadcast(mine.node, winner);
   communicator.broadcast(mine.position.data(), 3, winner);
   communicator.broadcast(mine.component, winner);
@@ -170,8 +170,8 @@ std::array<double, 3> central_node(const base::Communicator& communicator, const
   const bool in_race = nearest == communicator.min(nearest);
   const std::int64_t node =
       communicator.min(in_race ? mine.node : std::numeric_limits<std::int64_t>::max());
-  const int winner = communicator.min(in_race && mine.node == node ? communicator.rank()
-                                                                   : communicator.size());
+  const int winner =
+      communicator.min(in_race && mine.node == node ? communicator.rank() : communicator.size());
   if (winner < communicator.size()) communicator.broadcast(mine.position.data(), 3, winner);
   return mine.position;
 }

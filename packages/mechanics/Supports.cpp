@@ -22,8 +22,10 @@ bool lies_on(Face face, const grid::Index3& node, const grid::Grid& grid) {
 std::string conflict(const NamedConditions& conditions, int first, int second, int component,
                      const std::array<double, 3>& x, double a, double b) {
   return base::format(
-      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at their "
-      "common point (%g, %g, %g) um; admissible: equal values, or %c left out of the Components of one "
+      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at "
+      "their "
+      "common point (%g, %g, %g) um; admissible: equal values, or %c left out of the Components of "
+      "one "
       "of them",
       conditions[static_cast<std::size_t>(first)].first.c_str(), "xyz"[component], a,
       second < 0 ? "plane strain"
@@ -52,9 +54,10 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
     for (const auto& [name, condition] : conditions) {
       const auto& G = condition.displacement_gradient;
       if (grid.flat && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
-        throw base::InputError("Boundary Conditions|" + name +
-                               "|Displacement Gradient: displacements that vary along z are not plane "
-                               "strain; admissible: zeros in the third column");
+        throw base::InputError(
+            "Boundary Conditions|" + name +
+            "|Displacement Gradient: displacements that vary along z are not plane "
+            "strain; admissible: zeros in the third column");
     }
     grid::for_each_index(owned, [&](const grid::Index3& node) {
       const auto n = static_cast<std::size_t>(owned.local(node));
@@ -89,9 +92,10 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
   });
   for (std::size_t m = 0; m < conditions.size(); ++m)
     if (communicator.sum(nodes_of_condition[m]) == 0)
-      throw base::InputError("Boundary Conditions|" + conditions[m].first +
-                             "|Face: there is no particle in the elements along this face; admissible: a "
-                             "face at which the image has a label other than -1 (empty)");
+      throw base::InputError(
+          "Boundary Conditions|" + conditions[m].first +
+          "|Face: there is no particle in the elements along this face; admissible: a "
+          "face at which the image has a label other than -1 (empty)");
 
   const auto component = [&](std::int64_t n, int c) {
     const grid::Index3 node = owned.index(n);

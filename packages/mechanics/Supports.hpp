@@ -13,9 +13,9 @@
 
 namespace stroma::mechanics {
 
-/// All prescribed components of this rank's owned nodes: those of the face conditions; u_z everywhere
-/// in plane strain; the nodes that no particle touches, which leave the system; and the few that hold
-/// a free rigid motion.
+/// All prescribed components of this rank's owned nodes: those of the face conditions; u_z
+/// everywhere in plane strain; the nodes that no particle touches, which leave the system; and the
+/// few that hold a free rigid motion.
 class Supports {
  public:
   using Device = grid::Device;
@@ -34,11 +34,13 @@ class Supports {
   void impose(double load, grid::Vector& u) const;
   /// Sets the prescribed components of a vector to zero.
   void clear(grid::Vector& v) const;
-  /// Euclidean norm of the internal force at the prescribed components of face conditions [pN]. Collective.
+  /// Euclidean norm of the internal force at the prescribed components of face conditions [pN].
+  /// Collective.
   double reaction_norm(const grid::Vector& internal_force) const;
 
   /// Force of each condition's support on the body [pN]: the sum of the internal forces at its
-  /// prescribed components. A component that two conditions prescribe counts for the first. Collective.
+  /// prescribed components. A component that two conditions prescribe counts for the first.
+  /// Collective.
   std::vector<std::array<double, 3>> reactions(const grid::Vector& internal_force) const;
 
   /// Components held against free rigid motion.

@@ -15,7 +15,8 @@ grid::Index3 neighbour(const grid::Index3& node, int s) {
 }
 
 /// Map of whole nodes (not unknowns).
-grid::RCP<const grid::Map> node_map(const grid::Halo& halo, const std::vector<grid::Index3>& nodes) {
+grid::RCP<const grid::Map> node_map(const grid::Halo& halo,
+                                    const std::vector<grid::Index3>& nodes) {
   Teuchos::Array<grid::GlobalOrdinal> numbers;
   for (const auto& node : nodes) numbers.push_back(halo.partition().node_number(node));
   return Teuchos::rcp(new grid::Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
@@ -49,7 +50,8 @@ void TangentMatrix::build_graph() {
   std::vector<std::pair<std::int64_t, std::int64_t>> ghosts;  // node number, place in the box
   grid::for_each_index(columns, [&](const grid::Index3& node) {
     if (owned.contains(node)) {
-      column_of[static_cast<std::size_t>(columns.local(node))] = static_cast<int>(owned.local(node));
+      column_of[static_cast<std::size_t>(columns.local(node))] =
+          static_cast<int>(owned.local(node));
     } else {
       ghosts.emplace_back(partition.node_number(node), columns.local(node));
     }
@@ -87,8 +89,7 @@ void TangentMatrix::build_graph() {
       slot(n, s) = static_cast<std::uint8_t>(
           std::lower_bound(sorted.begin(), sorted.end(), column) - sorted.begin());
     }
-    for (int i = 0; i < 3; ++i)
-      row_begin(3 * n + i + 1) = row_begin(3 * n + i) + 3 * sorted.size();
+    for (int i = 0; i < 3; ++i) row_begin(3 * n + i + 1) = row_begin(3 * n + i) + 3 * sorted.size();
     blocks_of_node.insert(blocks_of_node.end(), sorted.begin(), sorted.end());
   });
   using Graph = Matrix::crs_graph_type;
@@ -110,11 +111,11 @@ void TangentMatrix::build_graph() {
   Kokkos::deep_copy(slot_, slot);
   Kokkos::deep_copy(row_begin_, row_begin);
 
-  const auto column_map = Teuchos::rcp(
-      new grid::Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), column_unknowns(), 0,
-                    halo_->owned_map()->getComm()));
-  const auto graph = Teuchos::rcp(new Graph(halo_->owned_map(), column_map,
-                                            LocalGraph::row_map_type(row_begin_), entries));
+  const auto column_map =
+      Teuchos::rcp(new grid::Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                                 column_unknowns(), 0, halo_->owned_map()->getComm()));
+  const auto graph = Teuchos::rcp(
+      new Graph(halo_->owned_map(), column_map, LocalGraph::row_map_type(row_begin_), entries));
   graph->fillComplete(halo_->owned_map(), halo_->owned_map());
   matrix_ = Teuchos::rcp(new Matrix(graph));
   matrix_->fillComplete();

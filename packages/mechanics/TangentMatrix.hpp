@@ -12,14 +12,14 @@ namespace stroma::mechanics {
 
 using Matrix = Tpetra::CrsMatrix<double>;
 
-/// A compressed row matrix over the unknowns of the nodes whose graph, a node and its 26 neighbours, is
-/// built once, by arithmetic. It can be filled again and again:
+/// A compressed row matrix over the unknowns of the nodes whose graph, a node and its 26
+/// neighbours, is built once, by arithmetic. It can be filled again and again:
 ///
 ///     launch(tangent.begin());   // adds the blocks of this rank's elements
 ///     tangent.finish();          // rows shared with neighbours go to their owners
 ///
-/// Prescribed components keep their row and column, empty but for a constant on the diagonal, so that
-/// the matrix stays symmetric and three by three blocked.
+/// Prescribed components keep their row and column, empty but for a constant on the diagonal, so
+/// that the matrix stays symmetric and three by three blocked.
 ///
 /// Memory: 12 bytes an entry, 81 entries a row.
 class TangentMatrix {
@@ -27,8 +27,8 @@ class TangentMatrix {
   using Device = grid::Device;
 
   /// \param held      prescribed components (touched node), Supports::held()
-  /// \param diagonal  what stands on the diagonal of prescribed components [pN/um]; of the size of the
-  ///                  other diagonal entries, so that multigrid hierarchies see nothing odd
+  /// \param diagonal  what stands on the diagonal of prescribed components [pN/um]; of the size
+  ///                  of the other diagonal entries, so that multigrid sees nothing odd
   TangentMatrix(const grid::Halo& halo, const Kokkos::View<std::uint8_t*, Device>& held,
                 double diagonal);
 

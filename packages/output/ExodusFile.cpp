@@ -1,6 +1,7 @@
 #include "output/ExodusFile.hpp"
 
 #include <exodusII.h>
+#include <hdf5.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -154,6 +155,8 @@ void ExodusFile::put_piece(int step, int kind, int variable, std::int64_t block,
                            size, values),
         "a variable");
 }
+
+bool files_are_stuck() { return H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_FILE) > 0; }
 
 std::string spread_file_name(const std::string& path, int ranks, int rank) {
   if (ranks == 1) return path;

@@ -53,8 +53,7 @@ class History {
           const std::vector<std::string>& materials);
 
   /// Adds one row. Collective.
-  /// \throws RunError on all ranks when the row did not reach the file (disk full), or when it does
-  /// not
+  /// \throws RunError on all ranks when the row did not reach the file (disk full), or does not
   ///         have as many reactions and materials as the header
   void append(const HistoryRow& row);
 

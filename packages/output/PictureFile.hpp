@@ -11,9 +11,13 @@
 namespace stroma::output {
 
 /// Writes FOLDER/pictures/NAME.ENDING and NAME.gp from rank 0 and lets gnuplot draw
-/// FOLDER/NAME.png. Collective. \param folder       exists \param data         numbers, as the
-/// script reads them; what counts is rank 0's \param data_ending  dat or raw \return  a note for
-/// the log, the same on all ranks: empty when the picture was made, else why not
+/// FOLDER/NAME.png. Collective.
+///
+/// \param folder       exists
+/// \param data         numbers, as the script reads them; what counts is rank 0's
+/// \param data_ending  dat or raw
+/// \return  a note for the log, the same on all ranks: empty when the picture was made, else why
+///          not
 std::string draw_picture(const base::Communicator& communicator, const std::string& folder,
                          const std::string& name, const std::string& data,
                          const std::string& data_ending, const std::string& script);

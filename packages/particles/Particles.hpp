@@ -11,9 +11,10 @@ namespace stroma::particles {
 /// Particles of one rank, sorted by element, so that element e of the rank's box (local number, x
 /// fastest) holds the particles element_begin(e) ... element_begin(e + 1) - 1.
 ///
-/// The state refers to the base configuration: the one at which the grid was last Cartesian. Without
-/// grid reset that is the undeformed body for the whole run: positions never change, base_gradient
-/// and base_displacement stay empty (extent 0, meaning zero), and the deformation is the grid's.
+/// The state refers to the base configuration: the one at which the grid was last Cartesian.
+/// Without grid reset that is the undeformed body for the whole run: positions never change,
+/// base_gradient and base_displacement stay empty (extent 0, meaning zero), and the deformation is
+/// the grid's.
 ///
 /// Without reset a particle costs 41 bytes.
 template <class Device>
@@ -21,13 +22,13 @@ struct Particles {
   using Vector3 = Kokkos::View<double* [3], Kokkos::LayoutRight, Device>;
   using Tensor = Kokkos::View<double* [3][3], Kokkos::LayoutRight, Device>;
 
-  Vector3 position;                                 ///< x at the base configuration [um]
-  Kokkos::View<double*, Device> volume;             ///< V0, in the undeformed body [um^3]
-  Kokkos::View<std::uint8_t*, Device> material;     ///< index into the list of materials
-  Kokkos::View<std::int64_t*, Device> id;           ///< number in the layout's global order
-  Kokkos::View<int*, Device> element_begin;         ///< (elements of the rank + 1)
-  Vector3 base_displacement;                        ///< u at the base configuration [um], or empty
-  Tensor base_gradient;                             ///< H = F - I there [-], or empty
+  Vector3 position;                              ///< x at the base configuration [um]
+  Kokkos::View<double*, Device> volume;          ///< V0, in the undeformed body [um^3]
+  Kokkos::View<std::uint8_t*, Device> material;  ///< index into the list of materials
+  Kokkos::View<std::int64_t*, Device> id;        ///< number in the layout's global order
+  Kokkos::View<int*, Device> element_begin;      ///< (elements of the rank + 1)
+  Vector3 base_displacement;                     ///< u at the base configuration [um], or empty
+  Tensor base_gradient;                          ///< H = F - I there [-], or empty
 
   int count() const { return static_cast<int>(volume.extent(0)); }
 };

@@ -35,12 +35,13 @@ void allocate(View& view, const char* name, std::size_t count) {
 deck::Section<ParticleParameters> particles_section() {
   deck::Section<ParticleParameters> section(
       "Particles", "How the image becomes particles; a particle's label is that of its voxel.");
-  section.choice("Layout", &ParticleParameters::layout,
-                 {{"Voxel Centers", Layout::voxel_centers},
-                  {"Gauss", Layout::gauss},
-                  {"Per Element", Layout::per_element}},
-                 "Voxel Centers: Per Voxel^3 particles in each voxel; Gauss: the 2 x 2 x 2 Gauss points of "
-                 "each element; Per Element: Per Element^3 equally spaced particles in each element.");
+  section.choice(
+      "Layout", &ParticleParameters::layout,
+      {{"Voxel Centers", Layout::voxel_centers},
+       {"Gauss", Layout::gauss},
+       {"Per Element", Layout::per_element}},
+      "Voxel Centers: Per Voxel^3 particles in each voxel; Gauss: the 2 x 2 x 2 Gauss points of "
+      "each element; Per Element: Per Element^3 equally spaced particles in each element.");
   section.optional("Per Voxel", &ParticleParameters::per_voxel, deck::between(1, 16),
                    "Particles per voxel and direction, for Layout = Voxel Centers.");
   section.optional("Per Element", &ParticleParameters::per_element, deck::between(1, 64),
@@ -103,8 +104,7 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
     for (std::int64_t v = 0; v < labels.size[d]; ++v) {
       const double centre = (static_cast<double>(v) + 0.5) * labels.voxel_size[d];
       const auto layer = static_cast<std::int64_t>(centre / grid.spacing[d] + face_tolerance);
-      layer_of_voxel[d].push_back(
-          static_cast<std::size_t>(std::min(layer, grid.elements[d] - 1)));
+      layer_of_voxel[d].push_back(static_cast<std::size_t>(std::min(layer, grid.elements[d] - 1)));
     }
   }
   std::size_t position = 0;

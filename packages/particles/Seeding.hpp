@@ -27,15 +27,15 @@ struct ParticleParameters {
 
 deck::Section<ParticleParameters> particles_section();
 
-/// Where particles lie along one axis. Every layout is a tensor product of three of these, kept for a
-/// range of elements only.
+/// Where particles lie along one axis. Every layout is a tensor product of three of these, kept for
+/// a range of elements only.
 struct AxisLayout {
-  std::int64_t first = 0;             ///< number, along the whole axis, of the first point kept
-  std::int64_t total = 0;             ///< points along the whole axis
-  std::vector<double> position;       ///< of each point kept [um]
-  std::vector<double> length;         ///< its share of the axis [um]
-  std::vector<std::int64_t> voxel;    ///< the voxel it lies in
-  std::vector<int> element_begin;     ///< first point of each element kept, and the number of points
+  std::int64_t first = 0;           ///< number, along the whole axis, of the first point kept
+  std::int64_t total = 0;           ///< points along the whole axis
+  std::vector<double> position;     ///< of each point kept [um]
+  std::vector<double> length;       ///< its share of the axis [um]
+  std::vector<std::int64_t> voxel;  ///< the voxel it lies in
+  std::vector<int> element_begin;   ///< first point of each element kept, and the number of points
 };
 
 /// Layout along axis d for the elements [begin, end). The image's first voxel starts at the grid's
@@ -44,10 +44,11 @@ struct AxisLayout {
 /// \param voxels      voxels of the image along the axis
 /// \param voxel_size  [um]
 AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& grid, int d,
-                       std::int64_t begin, std::int64_t end, std::int64_t voxels, double voxel_size);
+                       std::int64_t begin, std::int64_t end, std::int64_t voxels,
+                       double voxel_size);
 
-/// Weight of each layer of elements for grid::Partition::balanced: the image's non-empty voxels there
-/// (label other than -1), per direction. Collective.
+/// Weight of each layer of elements for grid::Partition::balanced: the image's non-empty voxels
+/// there (label other than -1), per direction. Collective.
 std::array<std::vector<double>, 3> layer_weights(const base::Communicator& communicator,
                                                  const grid::Grid& grid,
                                                  const image::LabelVolume& labels);

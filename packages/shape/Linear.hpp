@@ -10,10 +10,10 @@ namespace stroma::shape {
 /// Trilinear hats: a particle's support is the eight nodes of its element. Local node
 /// a = ax + 2 (ay + 2 az) with ax, ay, az in {0, 1}.
 ///
-/// A shape function is a type with `width` (nodes per direction of an element's support box), `first`
-/// (offset of the box's first node from the element's own lower node), `nodes` = width^3, and
-/// evaluate(). Nodes of the box that a particle does not touch get zeros, so that all particles of
-/// an element share one list of nodes, and loops over it vectorise.
+/// A shape function is a type with `width` (nodes per direction of an element's support box),
+/// `first` (offset of the box's first node from the element's own lower node), `nodes` = width^3,
+/// and evaluate(). Nodes of the box that a particle does not touch get zeros, so that all particles
+/// of an element share one list of nodes, and loops over it vectorise.
 struct Linear {
   static constexpr int width = 2;
   static constexpr int first = 0;

@@ -8,17 +8,17 @@
 namespace stroma::solver {
 namespace {
 
-/// LU factors of the matrix, held by rank 0: the matrix is brought there, and so is every right-hand
-/// side. (Amesos2 can distribute KLU2 itself, but as of Trilinos 13.2 it then solves another system:
-/// a tridiagonal one of 60 rows came back with an error of 9 % on two ranks.)
+/// LU factors of the matrix, held by rank 0: the matrix is brought there, and so is every
+/// right-hand side. (Amesos2 can distribute KLU2 itself, but as of Trilinos 13.2 it then solves
+/// another system: a tridiagonal one of 60 rows came back with an error of 9 % on two ranks.)
 class GatheredFactors : public Operator {
  public:
   explicit GatheredFactors(const grid::RCP<mechanics::Matrix>& matrix)
       : matrix_(matrix),
-        root_map_(Teuchos::rcp(new grid::Map(
-            static_cast<Tpetra::global_size_t>(matrix->getGlobalNumRows()),
-            matrix->getComm()->getRank() == 0 ? matrix->getGlobalNumRows() : 0, 0,
-            matrix->getComm()))),
+        root_map_(Teuchos::rcp(
+            new grid::Map(static_cast<Tpetra::global_size_t>(matrix->getGlobalNumRows()),
+                          matrix->getComm()->getRank() == 0 ? matrix->getGlobalNumRows() : 0, 0,
+                          matrix->getComm()))),
         to_root_(Teuchos::rcp(new Tpetra::Import<>(matrix->getRowMap(), root_map_))) {}
 
   void factorize() {
@@ -28,9 +28,9 @@ class GatheredFactors : public Operator {
     bool failed = false;
     if (matrix_->getComm()->getRank() == 0) {
       // The same matrix on a communicator of rank 0 alone. Its columns are its rows.
-      const auto alone = Teuchos::rcp(new grid::Map(
-          static_cast<Tpetra::global_size_t>(matrix_->getGlobalNumRows()), 0,
-          Teuchos::rcp(new Teuchos::SerialComm<int>())));
+      const auto alone = Teuchos::rcp(
+          new grid::Map(static_cast<Tpetra::global_size_t>(matrix_->getGlobalNumRows()), 0,
+                        Teuchos::rcp(new Teuchos::SerialComm<int>())));
       local_ = Teuchos::rcp(new mechanics::Matrix(alone, alone, gathered.getLocalMatrixDevice()));
       right_side_ = Teuchos::rcp(new grid::MultiVector(alone, 1));
       solution_ = Teuchos::rcp(new grid::MultiVector(alone, 1));

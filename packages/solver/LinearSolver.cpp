@@ -50,22 +50,29 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     nothing_to_do.converged = true;
     return nothing_to_do;
   }
-  LinearResult result;
-  try {
-    result = run_belos(b, x, tolerance);
-  } catch (const base::StepRejected&) {
-    if (is_fresh_) throw;
-  }
+  LinearResult result = run_belos(*preconditioner_, b, x, tolerance);
   if (!result.converged && !is_fresh_) {
     renew_preconditioner();
-    result = run_belos(b, x, tolerance);
+    result = run_belos(*preconditioner_, b, x, tolerance);
   }
+  if (result.indefinite && parameters_.preconditioner != PreconditionerKind::jacobi) {
+    // Is it the preconditioner or the tangent? Jacobi is definite as long as the diagonal is
+    // positive.
+    SolverParameters jacobi = parameters_;
+    jacobi.preconditioner = PreconditionerKind::jacobi;
+    jacobi.ifpack2 = Teuchos::null;
+    const auto plain = make_ifpack2(jacobi);
+    plain->compute(matrix_);
+    result = run_belos(*plain, b, x, tolerance);
+  }
+  if (result.indefinite) throw base::StepRejected("conjugate gradients met an indefinite tangent");
   last_iterations_ = result.iterations;
   if (is_fresh_) iterations_when_fresh_ = std::max(iterations_when_fresh_, result.iterations);
   return result;
 }
 
-LinearResult LinearSolver::run_belos(const grid::MultiVector& b, grid::MultiVector& x,
+LinearResult LinearSolver::run_belos(const Preconditioner& preconditioner,
+                                     const grid::MultiVector& b, grid::MultiVector& x,
                                      double tolerance) {
   using Problem = Belos::LinearProblem<double, grid::MultiVector, Operator>;
   using Manager = Belos::PseudoBlockCGSolMgr<double, grid::MultiVector, Operator>;
@@ -73,7 +80,7 @@ LinearResult LinearSolver::run_belos(const grid::MultiVector& b, grid::MultiVect
   x.putScalar(0.0);
   const auto problem =
       Teuchos::rcp(new Problem(matrix_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
-  problem->setLeftPrec(preconditioner_->apply_inverse());
+  problem->setLeftPrec(preconditioner.apply_inverse());
   problem->setProblem();
   const auto list = Teuchos::parameterList();
   list->set("Convergence Tolerance", tolerance);
@@ -87,7 +94,8 @@ LinearResult LinearSolver::run_belos(const grid::MultiVector& b, grid::MultiVect
   } catch (const std::exception&) {
     // Belos throws the same way on all ranks: on p.Kp <= 0, and on a residual that is not a number.
     total_iterations_ += manager.getNumIters();
-    throw base::StepRejected("conjugate gradients met an indefinite tangent or preconditioner");
+    result.indefinite = true;
+    return result;
   }
   result.iterations = manager.getNumIters();
   result.achieved = manager.achievedTol();

@@ -11,6 +11,7 @@ namespace stroma::solver {
 
 struct LinearResult {
   bool converged = false;
+  bool indefinite = false;  ///< broke down: p.Kp <= 0, or a residual that is not a number
   int iterations = 0;
   double achieved = 0.0;  ///< ||b - K x|| / ||b||, as conjugate gradients see it
 };
@@ -20,12 +21,13 @@ class LinearSolver {
  public:
   LinearSolver(const SolverParameters& parameters, const mechanics::MomentumBalance& balance);
 
-  /// The matrix of the solves to come. A costly preconditioner made for earlier values is kept as long
-  /// as it needs at most half as many iterations again as when it was new. Collective.
+  /// The matrix of the solves to come. A costly preconditioner made for earlier values is kept as
+  /// long as it needs at most half as many iterations again as when it was new. Collective.
   void set_matrix(const grid::RCP<mechanics::Matrix>& matrix);
 
   /// Solves from x = 0 until ||residual|| <= tolerance * ||b||. Collective.
-  /// \throws base::StepRejected when the matrix or the preconditioner turns out to be indefinite
+  /// A preconditioner that turns out to be indefinite is replaced by Jacobi for the solve.
+  /// \throws base::StepRejected when the matrix is indefinite
   LinearResult solve(const grid::MultiVector& b, grid::MultiVector& x, double tolerance);
 
   /// Iterations of all solves so far.
@@ -33,13 +35,14 @@ class LinearSolver {
 
  private:
   void renew_preconditioner();
-  LinearResult run_belos(const grid::MultiVector& b, grid::MultiVector& x, double tolerance);
+  LinearResult run_belos(const Preconditioner& preconditioner, const grid::MultiVector& b,
+                         grid::MultiVector& x, double tolerance);
 
   SolverParameters parameters_;
   std::unique_ptr<Preconditioner> preconditioner_;
   grid::RCP<mechanics::Matrix> matrix_;
   long long total_iterations_ = 0;
-  bool is_fresh_ = false;         // the preconditioner was made for the present values
+  bool is_fresh_ = false;  // the preconditioner was made for the present values
   int iterations_when_fresh_ = 0;
   int last_iterations_ = 0;
 };

@@ -38,9 +38,10 @@ class MueLuPreconditioner : public Preconditioner {
     list_.set("multigrid algorithm", "sa");
     list_.set("coarse: max size", 1000);
     list_.set("max levels", 10);
-    // Chebyshev smoothing is the same on any number of ranks, and made of products alone. Beyond the
-    // largest eigenvalue its polynomial grows and the cycle turns indefinite, and power iterations come
-    // from below: more of them than MueLu's 10, which were too few on this operator, and a margin.
+    // Chebyshev smoothing is the same on any number of ranks, and made of products alone. Beyond
+    // the largest eigenvalue its polynomial grows and the cycle turns indefinite, and power
+    // iterations come from below: more of them than MueLu's 10, which were too few on this
+    // operator, and a margin.
     list_.set("sa: eigenvalue estimate num iterations", 20);
     list_.set("smoother: type", "CHEBYSHEV");
     auto& smoother = list_.sublist("smoother: params");
@@ -48,8 +49,8 @@ class MueLuPreconditioner : public Preconditioner {
     smoother.set("chebyshev: ratio eigenvalue", 10.0);
     smoother.set("chebyshev: boost factor", 1.3);
     if (balance.halo().communicator().size() > 1) {
-      // Not MueLu's default for the coarsest grid, Amesos2's KLU2: see DirectPreconditioner.cpp. With few
-      // aggregates left, a polynomial of high degree solves it well enough.
+      // Not MueLu's default for the coarsest grid, Amesos2's KLU2: see DirectPreconditioner.cpp.
+      // With few aggregates left, a polynomial of high degree solves it well enough.
       list_.set("coarse: max size", 100);
       list_.set("coarse: type", "CHEBYSHEV");
       auto& coarse = list_.sublist("coarse: params");

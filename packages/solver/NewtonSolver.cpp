@@ -76,8 +76,8 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
     return relative;
   };
 
-  const auto start = Thyra::createVector(Teuchos::rcp(new grid::Vector(u, Teuchos::Copy)),
-                                         model_->get_x_space());
+  const auto start =
+      Thyra::createVector(Teuchos::rcp(new grid::Vector(u, Teuchos::Copy)), model_->get_x_space());
   const auto group = Teuchos::rcp(new NOX::Thyra::Group(
       NOX::Thyra::Vector(start), model_, model_->create_W_op(), model_->get_W_factory(),
       Teuchos::RCP<Thyra::PreconditionerBase<double>>(),
@@ -99,8 +99,9 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   if (finite->getStatus() == NOX::StatusTest::Failed)
     throw base::StepRejected("particles are turned inside out");
   if (status != NOX::StatusTest::Converged)
-    throw base::StepRejected(base::format("Newton did not converge in %d iterations (residual %.2e)",
-                                          solver->getNumIterations(), residual_history_.back()));
+    throw base::StepRejected(
+        base::format("Newton did not converge in %d iterations (residual %.2e)",
+                     solver->getNumIterations(), residual_history_.back()));
   NewtonResult result;
   result.iterations = solver->getNumIterations();
   result.linear_iterations = linear_solver_.total_iterations() - reported_iterations_;

@@ -21,8 +21,8 @@ struct NewtonResult {
 /// Solves residual(u) = 0 for one load. Norms are Euclidean, over all ranks.
 class NewtonSolver {
  public:
-  /// Called after each Newton iteration with its number, the relative residual (that of the starting
-  /// point for number 0), and the linear iterations so far.
+  /// Called after each Newton iteration with its number, the relative residual (that of the
+  /// starting point for number 0), and the linear iterations so far.
   using Progress = std::function<void(int, double, long long)>;
 
   NewtonSolver(const SolverParameters& parameters, mechanics::MomentumBalance& balance,
@@ -30,13 +30,14 @@ class NewtonSolver {
 
   /// Changes u, whose prescribed components are set, until ||residual|| <= tolerance * largest
   /// ||reaction|| of this and all earlier calls. Collective.
-  /// \throws base::StepRejected when it does not converge or when particles are turned inside out; u
-  ///         then holds the last iterate
+  /// \throws base::StepRejected when it does not converge or when particles are turned inside
+  ///         out; u then holds the last iterate
   NewtonResult solve(grid::Vector& u);
 
-  /// Predicts by the tangent: u + du with du the given change of the prescribed components and, at the
-  /// others, K du = -residual(u). For the first step of a run, which has no past to extrapolate; a plain
-  /// change of the prescribed components alone would crush the first layer of elements. Collective.
+  /// Predicts by the tangent: u + du with du the given change of the prescribed components and, at
+  /// the others, K du = -residual(u). For the first step of a run, which has no past to
+  /// extrapolate; a plain change of the prescribed components alone would crush the first layer of
+  /// elements. Collective.
   void predict(grid::Vector& u, const grid::Vector& prescribed_change);
 
   /// Relative residual of the start and after each iteration of the last solve().

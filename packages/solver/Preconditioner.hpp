@@ -21,13 +21,15 @@ class Preconditioner {
   /// Adapts to the matrix's present values. Collective.
   /// \throws base::StepRejected when the matrix is singular to the method
   virtual void compute(const grid::RCP<mechanics::Matrix>& matrix) = 0;
-  /// Whether compute() costs so much that one made for an earlier tangent is better kept while it works.
+  /// Whether compute() costs so much that one made for an earlier tangent is better kept while it
+  /// works.
   virtual bool worth_keeping() const { return true; }
   /// The operator; valid after compute().
   virtual grid::RCP<const Operator> apply_inverse() const = 0;
 };
 
-/// The preconditioner that the deck chose. MueLu gets its rigid body modes from the grid of `balance`.
+/// The preconditioner that the deck chose. MueLu gets its rigid body modes from the grid of
+/// `balance`.
 std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
                                                     const mechanics::MomentumBalance& balance);
 

@@ -18,7 +18,7 @@ struct SolverParameters {
   double linear_tolerance = 1e-6;  ///< ||linear residual|| / ||right-hand side||
   int linear_iterations = 10000;
   PreconditionerKind preconditioner = PreconditionerKind::multigrid;
-  Teuchos::RCP<Teuchos::ParameterList> nox;      ///< laid over Stroma's own settings; may be null
+  Teuchos::RCP<Teuchos::ParameterList> nox;  ///< laid over Stroma's own settings; may be null
   Teuchos::RCP<Teuchos::ParameterList> belos;
   Teuchos::RCP<Teuchos::ParameterList> ifpack2;
   Teuchos::RCP<Teuchos::ParameterList> muelu;

@@ -7,9 +7,9 @@
 
 namespace stroma::solver {
 
-/// Hands out load factors from 0 to 1. A rejected step is halved; accepted ones let it double again, up
-/// to 1 / Steps. Multiples of 1 / Steps are never stepped over, so that results exist there whatever
-/// was rejected on the way.
+/// Hands out load factors from 0 to 1. A rejected step is halved; accepted ones let it double
+/// again, up to 1 / Steps. Multiples of 1 / Steps are never stepped over, so that results exist
+/// there whatever was rejected on the way.
 class StepControl {
  public:
   explicit StepControl(const LoadingParameters& parameters);

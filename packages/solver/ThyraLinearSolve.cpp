@@ -78,12 +78,11 @@ class Factory : public Thyra::LinearOpWithSolveFactoryBase<double> {
                     const Thyra::ESupportSolveUse) const override {
     dynamic_cast<TangentWithSolve&>(*op).set(source);
   }
-  void uninitializeOp(
-      Thyra::LinearOpWithSolveBase<double>* op,
-      Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>* source,
-      Teuchos::RCP<const Thyra::PreconditionerBase<double>>* preconditioner,
-      Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>* approximate_source,
-      Thyra::ESupportSolveUse* use) const override {
+  void uninitializeOp(Thyra::LinearOpWithSolveBase<double>* op,
+                      Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>* source,
+                      Teuchos::RCP<const Thyra::PreconditionerBase<double>>* preconditioner,
+                      Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>* approximate_source,
+                      Thyra::ESupportSolveUse* use) const override {
     auto& tangent = dynamic_cast<TangentWithSolve&>(*op);
     if (source) *source = tangent.source();
     if (preconditioner) *preconditioner = Teuchos::null;

@@ -31,8 +31,8 @@ Model::OutArgs<double> ThyraModel::createOutArgsImpl() const {
   out.setModelEvalDescription("balance of momentum");
   out.setSupports(Model::OUT_ARG_f);
   out.setSupports(Model::OUT_ARG_W_op);
-  out.set_W_properties(Model::DerivativeProperties(Model::DERIV_LINEARITY_NONCONST,
-                                                   Model::DERIV_RANK_FULL, true));
+  out.set_W_properties(
+      Model::DerivativeProperties(Model::DERIV_LINEARITY_NONCONST, Model::DERIV_RANK_FULL, true));
   return out;
 }
 

@@ -9,8 +9,8 @@
 
 namespace stroma::solver {
 
-/// f(x) = residual at the displacement x, W_op = tangent there. Steady state, no parameters: any Thyra
-/// client (NOX, LOCA, Piro) can drive it.
+/// f(x) = residual at the displacement x, W_op = tangent there. Steady state, no parameters: any
+/// Thyra client (NOX, LOCA, Piro) can drive it.
 class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
  public:
   using Factory = Thyra::LinearOpWithSolveFactoryBase<double>;

@@ -25,9 +25,9 @@ Teuchos::ParameterList valid_nox() {
   direction.set("Method", "Newton", "", one_of({"Newton"}));
   auto& newton = direction.sublist("Newton");
   newton.set("Forcing Term Method", "Constant", "", one_of({"Constant", "Type 1", "Type 2"}));
-  for (const char* name : {"Forcing Term Initial Tolerance", "Forcing Term Minimum Tolerance",
-                           "Forcing Term Maximum Tolerance", "Forcing Term Alpha",
-                           "Forcing Term Gamma"})
+  for (const char* name :
+       {"Forcing Term Initial Tolerance", "Forcing Term Minimum Tolerance",
+        "Forcing Term Maximum Tolerance", "Forcing Term Alpha", "Forcing Term Gamma"})
     newton.set(name, 0.1);
   newton.set("Rescue Bad Newton Solve", true);
   newton.sublist("Linear Solver").set("Tolerance", 1e-6);

@@ -1,15 +1,16 @@
 #pragma once
 
 /// \file
-/// 3 x 3 tensors for kernels: a plain value type, its algebra, and forms that keep the digits of small
-/// strains.
+/// 3 x 3 tensors for kernels: a plain value type, its algebra, and forms that keep the digits of
+/// small strains.
 
 #include <Kokkos_Core.hpp>
 #include <cmath>
 
 namespace stroma::tensor {
 
-/// A 3 x 3 tensor, t(i, j). Aggregate: Tensor3 H{{{a, b, c}, {d, e, f}, {g, h, i}}}; Tensor3{} is zero.
+/// A 3 x 3 tensor, t(i, j). Aggregate: Tensor3 H{{{a, b, c}, {d, e, f}, {g, h, i}}}; Tensor3{} is
+/// zero.
 struct Tensor3 {
   double value[3][3] = {};
 

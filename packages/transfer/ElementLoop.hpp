@@ -16,7 +16,7 @@ struct ElementBox {
   double corner[3];           ///< position of the lower corner of the first element [um]
   double spacing[3];          ///< element size [um]
   double inverse_spacing[3];  ///< [1/um]
-  bool flat = false;           ///< plane strain: the upper nodes along z are the lower ones
+  bool flat = false;          ///< plane strain: the upper nodes along z are the lower ones
 
   KOKKOS_INLINE_FUNCTION int element(int i, int j, int k) const {
     return i + elements[0] * (j + elements[1] * k);
@@ -43,10 +43,10 @@ struct ElementLines {
 
 /// Runs functor(i, j, k, bad) on every element (i, j, k) of the rank.
 ///
-/// A line of elements along x is one work item, and lines are coloured so that no two items that run
-/// at the same time share a node: the functor may add to the nodes of its element without atomics.
-/// Every node is added to in an order that depends on the colours alone, so the sum is the same bit
-/// for bit for any number of threads.
+/// A line of elements along x is one work item, and lines are coloured so that no two items that
+/// run at the same time share a node: the functor may add to the nodes of its element without
+/// atomics. Every node is added to in an order that depends on the colours alone, so the sum is the
+/// same bit for bit for any number of threads.
 ///
 /// \tparam Width  nodes per direction of an element's support box (shape::Linear::width)
 /// \return the sum of what the functor counted in `bad` (kernels cannot throw: they count)
@@ -60,8 +60,7 @@ std::int64_t for_each_element(const std::string& name, const ElementBox& box,
       const int lines_k = (box.elements[2] - first_k + Width - 1) / Width;
       std::int64_t bad_of_colour = 0;
       Kokkos::parallel_reduce(
-          name,
-          Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>(0, lines_j * lines_k),
+          name, Kokkos::RangePolicy<Space, Kokkos::Schedule<Kokkos::Static>>(0, lines_j * lines_k),
           ElementLines<Functor>{box, functor, Width, first_j, first_k}, bad_of_colour);
       bad += bad_of_colour;
     }

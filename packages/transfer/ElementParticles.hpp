@@ -23,15 +23,15 @@ struct ParticlePoint {
 
 /// Particles and displaced nodes of a rank, element by element.
 ///
-/// The nodes have moved by U since the base configuration, in which the grid is Cartesian. With base
-/// gradients grad N this gives
+/// The nodes have moved by U since the base configuration, in which the grid is Cartesian. With
+/// base gradients grad N this gives
 ///
 ///     f = I + sum_a U_a (x) grad N_a,    H = H_base + (f - I) + (f - I) H_base,
 ///     grad_x N_a = f^-T grad N_a.
 ///
-/// The same formula serves a grid that convects (base = undeformed body, H_base = 0) and one that is
-/// reset (base = last step): pulling gradients back to the base is what the inverse Jacobian of a
-/// convected element does.
+/// The same formula serves a grid that convects (base = undeformed body, H_base = 0) and one that
+/// is reset (base = last step): pulling gradients back to the base is what the inverse Jacobian of
+/// a convected element does.
 ///
 /// Source: docs/theory.md, eq. (T.4) to (T.7).
 template <class Shape, class Device>
@@ -58,8 +58,8 @@ struct ElementParticles {
                     k + Shape::first + a / (w * w));
   }
 
-  /// Calls visit(ParticlePoint) for each particle of element (i, j, k); counts in `bad` those that the
-  /// displacement turns inside out (det F <= 0, or not a number).
+  /// Calls visit(ParticlePoint) for each particle of element (i, j, k); counts in `bad` those that
+  /// the displacement turns inside out (det F <= 0, or not a number).
   template <class Visit>
   KOKKOS_INLINE_FUNCTION void for_each_particle(int i, int j, int k, std::int64_t& bad,
                                                 const Visit& visit) const {

@@ -1,7 +1,8 @@
 #pragma once
 
 /// \file
-/// Grid to particles: displacement, stress and energy of each particle at the current configuration.
+/// Grid to particles: displacement, stress and energy of each particle at the current
+/// configuration.
 
 #include "transfer/ElementParticles.hpp"
 
@@ -10,10 +11,12 @@ namespace stroma::transfer {
 /// Results at the particles of a rank, by local number.
 template <class Device>
 struct ParticleFields {
-  Kokkos::View<double* [3], Kokkos::LayoutRight, Device> displacement;  ///< u, from the undeformed body [um]
-  Kokkos::View<double* [6], Kokkos::LayoutRight, Device> stress;  ///< Cauchy, xx yy zz xy yz zx [Pa]
-  Kokkos::View<double*, Device> jacobian;                         ///< J [-]
-  Kokkos::View<double*, Device> energy;                           ///< W, per reference volume [Pa]
+  Kokkos::View<double* [3], Kokkos::LayoutRight, Device>
+      displacement;  ///< u, from the undeformed body [um]
+  Kokkos::View<double* [6], Kokkos::LayoutRight, Device>
+      stress;                              ///< Cauchy, xx yy zz xy yz zx [Pa]
+  Kokkos::View<double*, Device> jacobian;  ///< J [-]
+  Kokkos::View<double*, Device> energy;    ///< W, per reference volume [Pa]
 
   explicit ParticleFields(int count)
       : displacement(Kokkos::view_alloc("displacement", Kokkos::WithoutInitializing), count),
@@ -22,8 +25,8 @@ struct ParticleFields {
         energy(Kokkos::view_alloc("energy", Kokkos::WithoutInitializing), count) {}
 };
 
-/// Fills ParticleFields: u_p = u_base + sum_I N_I U_I, and the law at H. Each particle is written by its
-/// own element alone: nothing is atomic.
+/// Fills ParticleFields: u_p = u_base + sum_I N_I U_I, and the law at H. Each particle is written
+/// by its own element alone: nothing is atomic.
 template <class Shape, class Law, class Device>
 struct GridToParticles {
   ElementParticles<Shape, Device> elements;

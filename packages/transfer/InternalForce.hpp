@@ -17,8 +17,9 @@ namespace stroma::transfer {
 template <class Shape, class Law, class Device>
 struct InternalForce {
   ElementParticles<Shape, Device> elements;
-  Kokkos::View<const Law*, Device> law;                          ///< (material)
-  Kokkos::View<double* [3], Kokkos::LayoutRight, Device> force;  ///< (touched node, i) [pN], added to
+  Kokkos::View<const Law*, Device> law;  ///< (material)
+  Kokkos::View<double* [3], Kokkos::LayoutRight, Device>
+      force;  ///< (touched node, i) [pN], added to
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double f[3][Shape::nodes] = {};
@@ -26,9 +27,9 @@ struct InternalForce {
       const Tensor3 tau = law(elements.particles.material(point.p)).kirchhoff_stress(point.H);
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a)
-          f[c][a] += point.volume *
-                     (tau(c, 0) * point.gradient[0][a] + tau(c, 1) * point.gradient[1][a] +
-                      tau(c, 2) * point.gradient[2][a]);
+          f[c][a] +=
+              point.volume * (tau(c, 0) * point.gradient[0][a] + tau(c, 1) * point.gradient[1][a] +
+                              tau(c, 2) * point.gradient[2][a]);
     });
     for (int a = 0; a < Shape::nodes; ++a) {
       const int node = elements.node_of(i, j, k, a);

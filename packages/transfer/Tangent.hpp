@@ -8,23 +8,25 @@
 
 namespace stroma::transfer {
 
-/// Where the 3 x 3 blocks of the tangent go. Row nodes are touched nodes; the column of a block is the
-/// row's neighbour in the 3 x 3 x 3 stencil, s = (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+/// Where the 3 x 3 blocks of the tangent go. Row nodes are touched nodes; the column of a block is
+/// the row's neighbour in the 3 x 3 x 3 stencil, s = (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
 ///
-/// Rows of owned nodes are summed straight into the values of a compressed row matrix with three rows
-/// per node, whose blocks are found by arithmetic; rows of nodes that other ranks own go to `shared`
-/// and travel to their owners afterwards. Entries in prescribed rows and columns are left out.
+/// Rows of owned nodes are summed straight into the values of a compressed row matrix with three
+/// rows per node, whose blocks are found by arithmetic; rows of nodes that other ranks own go to
+/// `shared` and travel to their owners afterwards. Entries in prescribed rows and columns are left
+/// out.
 template <class Device>
 struct BlockRows {
   Kokkos::View<const int*, Device> row;  ///< (touched node) owned node, or ~shared if negative
-  Kokkos::View<const std::size_t*, Device> row_begin;      ///< (3 owned node + i) first entry
-  Kokkos::View<const std::uint8_t* [27], Device> slot;     ///< (owned node, s) block within its row
-  Kokkos::View<double*, Device> values;                    ///< entries of the matrix, added to
+  Kokkos::View<const std::size_t*, Device> row_begin;   ///< (3 owned node + i) first entry
+  Kokkos::View<const std::uint8_t* [27], Device> slot;  ///< (owned node, s) block within its row
+  Kokkos::View<double*, Device> values;                 ///< entries of the matrix, added to
   Kokkos::View<double**, Kokkos::LayoutLeft, Device> shared;  ///< (shared, 9 s + 3 i + k), added to
-  Kokkos::View<const std::uint8_t*, Device> held;  ///< (touched node) bit c: component c is prescribed
+  Kokkos::View<const std::uint8_t*, Device>
+      held;  ///< (touched node) bit c: component c is prescribed
 
-  /// Adds an element's blocks K(i, k, b) to the rows of one of its nodes, b being the element's nodes and
-  /// s(b) their places in the node's stencil.
+  /// Adds an element's blocks K(i, k, b) to the rows of one of its nodes, b being the element's
+  /// nodes and s(b) their places in the node's stencil.
   template <int Nodes>
   KOKKOS_INLINE_FUNCTION void add(int node, const double K[3][3][Nodes], const int s[Nodes]) const {
     const int r = row(node);
@@ -49,9 +51,9 @@ struct BlockRows {
 ///     K_IiJk = sum_p V0 dN_I/dx_j a_ijkl dN_J/dx_l       [pN/um] = [Pa um]
 ///
 /// with the law's spatial tangent a (material and geometric part). Formed element by element in two
-/// sweeps per particle, T_ijk(b) = V0 a_ijkl dN_b/dx_l and K(a,i,k,b) += dN_a/dx_j T_ijk(b), whose inner
-/// loops run over b and vectorise. Launch with for_each_element(): no atomics, the same bit for bit
-/// for any number of threads. Source: docs/theory.md, eq. (T.11).
+/// sweeps per particle, T_ijk(b) = V0 a_ijkl dN_b/dx_l and K(a,i,k,b) += dN_a/dx_j T_ijk(b), whose
+/// inner loops run over b and vectorise. Launch with for_each_element(): no atomics, the same bit
+/// for bit for any number of threads. Source: docs/theory.md, eq. (T.11).
 template <class Shape, class Law, class Device>
 struct Tangent {
   ElementParticles<Shape, Device> elements;
@@ -77,8 +79,8 @@ struct Tangent {
             const double t1 = point.volume * tangent(c, jj, m, 1);
             const double t2 = point.volume * tangent(c, jj, m, 2);
             for (int b = 0; b < n; ++b)
-              T[jj][c][m][b] = t0 * point.gradient[0][b] + t1 * point.gradient[1][b] +
-                               t2 * point.gradient[2][b];
+              T[jj][c][m][b] =
+                  t0 * point.gradient[0][b] + t1 * point.gradient[1][b] + t2 * point.gradient[2][b];
           }
       for (int a = 0; a < n; ++a) {
         const double g0 = point.gradient[0][a], g1 = point.gradient[1][a],

@@ -1,6 +1,6 @@
 /// \file
-/// How near the product K v comes to the memory's bandwidth, and what assembly costs: all timed in turn with
-/// a STREAM triad on the same ranks, because these machines are noisy. Prints medians.
+/// How near the product K v comes to the memory's bandwidth, and what assembly costs: all timed in
+/// turn with a STREAM triad on the same ranks, because these machines are noisy. Prints medians.
 ///
 ///     mpirun -np RANKS benchmark_product NX NY NZ [REPETITIONS]
 
@@ -32,8 +32,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// a = b + s c on arrays too long for the caches; three arrays of doubles move (the store's allocation,
-/// which some processors add, is not counted, as in STREAM).
+/// a = b + s c on arrays too long for the caches; three arrays of doubles move (the store's
+/// allocation, which some processors add, is not counted, as in STREAM).
 class Triad {
  public:
   static constexpr std::size_t length = 20'000'000;
@@ -91,10 +91,11 @@ int main(int argc, char** argv) {
   const auto rows = static_cast<double>(matrix->getGlobalNumRows());
   const double bytes = 12.0 * entries + 8.0 * rows + 16.0 * rows;
   const double stream = world.size() * Triad::bytes / median(triad_times);
-  const double particles = static_cast<double>(world.sum<std::int64_t>(balance->particles().count()));
+  const double particles =
+      static_cast<double>(world.sum<std::int64_t>(balance->particles().count()));
   if (world.is_root()) {
-    std::printf("elements %s x %s x %s, %.0f unknowns, %.0f entries, %d ranks (check %g)\n", argv[1],
-                argv[2], argv[3], rows, entries, world.size(), triad.check());
+    std::printf("elements %s x %s x %s, %.0f unknowns, %.0f entries, %d ranks (check %g)\n",
+                argv[1], argv[2], argv[3], rows, entries, world.size(), triad.check());
     std::printf("triad           %8.2f GB/s\n", stream * 1e-9);
     std::printf("product K v     %8.2f GB/s   %.2f of the triad   %.3f ms\n",
                 bytes / median(product_times) * 1e-9, bytes / median(product_times) / stream,

@@ -1,6 +1,7 @@
 /// \file
-/// A Trilinos application of its own that couples to Stroma: it makes a body from labels that it holds
-/// itself, hands the balance of momentum to its own solver as a Thyra model, and reads the reactions.
+/// A Trilinos application of its own that couples to Stroma: it makes a body from labels that it
+/// holds itself, hands the balance of momentum to its own solver as a Thyra model, and reads the
+/// reactions.
 
 #include <Tpetra_Core.hpp>
 #include <cmath>
@@ -20,8 +21,8 @@ int main(int argc, char** argv) {
   grid.elements = {4, 4, 4};
   grid.spacing = {2.1, 2.1, 2.0};
   const image::LabelVolume labels(world, {8, 8, 8}, {1.05, 1.05, 1.0});
-  const auto partition = grid::Partition::balanced(
-      grid, world.size(), particles::layer_weights(world, grid, labels));
+  const auto partition =
+      grid::Partition::balanced(grid, world.size(), particles::layer_weights(world, grid, labels));
   particles::ParticleParameters layout;
   layout.layout = particles::Layout::gauss;
   const auto particles = particles::seed(world, layout, partition, labels, {{0, 0}});
