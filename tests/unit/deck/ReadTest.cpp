@@ -211,7 +211,14 @@ TEST(DeckFile, WhatCannotBeReadIsAnInputError) {
             "cannot read the deck '/nowhere/gel.xml': No such file or directory");
   EXPECT_EQ(message("/tmp"), "cannot read the deck '/tmp': it is a folder");
   EXPECT_EQ(message("/dev/null"),
-            "1 mistake in /dev/null\nline 1: not well-formed XML: no element found");
+            "cannot tell the format of the deck '/dev/null' by its name's ending; admissible: "
+            ".xml, .yaml "
+            "or .yml");
+  const auto empty = std::filesystem::temp_directory_path() / "stroma_empty_deck.xml";
+  std::ofstream(empty).close();
+  EXPECT_EQ(message(empty.string()),
+            "1 mistake in " + empty.string() + "\nline 1: not well-formed XML: no element found");
+  std::filesystem::remove(empty);
 }
 
 }  // namespace
