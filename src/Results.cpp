@@ -4,19 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "MovingSupports.hpp"
 #include "base/Stage.hpp"
 #include "output/DeckFile.hpp"
 #include "tensor/Tensor3.hpp"
 
 namespace stroma {
 namespace {
-
-template <class Named>
-std::vector<std::string> names(const Named& list) {
-  std::vector<std::string> result;
-  for (const auto& entry : list) result.push_back(entry.first);
-  return result;
-}
 
 /// A force [pN] in the unit in which it is easily read.
 std::string readable_force(double force) {
@@ -144,33 +138,14 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
   grid_step_ = rows_.back().step;
 }
 
-std::vector<output::MovingSupport> Results::moving_supports() const {
-  const auto& conditions = deck_->parameters.boundary_conditions.conditions;
-  const grid::Grid& grid = specimen_->partition.grid();
-  const std::array<double, 3> length{grid.length(0), grid.length(1), grid.length(2)};
-  std::vector<output::MovingSupport> moving;
-  for (std::size_t m = 0; m < conditions.size(); ++m) {
-    const mechanics::BoundaryCondition& condition = conditions[m].second;
-    if (condition.loaded_component(length) < 0) continue;
-    output::MovingSupport support;
-    support.name = conditions[m].first;
-    support.index = m;
-    for (int c = 0; c < 3; ++c)
-      if (condition.prescribes(c))
-        support.displacement[static_cast<std::size_t>(c)] =
-            condition.value(c, length, {0.0, 0.0, 0.0}, length);
-    support.strain = condition.strain.value_or(0.0);
-    moving.push_back(support);
-  }
-  return moving;
-}
-
 void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
   const auto fields = balance.particle_fields(u);
   if (particles_step_ != rows_.back().step) write_particles(fields);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
-  const std::vector<output::MovingSupport> moving = moving_supports();
+  const grid::Grid& grid = specimen_->partition.grid();
+  const auto moving =
+      moving_supports(deck_->parameters, {grid.length(0), grid.length(1), grid.length(2)});
   std::optional<base::Stage> stage("pictures");
   if (deck_->parameters.output.pictures) {
     std::vector<std::string> notes{

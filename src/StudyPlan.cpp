@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "CheckCommand.hpp"
+#include "MovingSupports.hpp"
 #include "Specimen.hpp"
 #include "base/Error.hpp"
 #include "deck/Findings.hpp"
@@ -23,13 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t longest_name = 200;  // of a folder; file systems end at 255
-
-template <class Named>
-std::vector<std::string> names(const Named& list) {
-  std::vector<std::string> result;
-  for (const auto& entry : list) result.push_back(entry.first);
-  return result;
-}
 
 /// Mistakes of members; one that several members have is told once.
 class MemberMistakes {
@@ -118,20 +112,7 @@ MemberFacts facts_of(const Deck& deck, const std::array<double, 3>& length) {
   MemberFacts facts;
   facts.materials = names(deck.parameters.materials.materials);
   facts.element_size = grid::make_grid(deck.parameters.grid, length).spacing;
-  const auto& conditions = deck.parameters.boundary_conditions.conditions;
-  for (std::size_t m = 0; m < conditions.size(); ++m) {
-    const mechanics::BoundaryCondition& condition = conditions[m].second;
-    if (condition.loaded_component(length) < 0) continue;
-    output::MovingSupport support;
-    support.name = conditions[m].first;
-    support.index = m;
-    for (int c = 0; c < 3; ++c)
-      if (condition.prescribes(c))
-        support.displacement[static_cast<std::size_t>(c)] =
-            condition.value(c, length, {0.0, 0.0, 0.0}, length);
-    support.strain = condition.strain.value_or(0.0);
-    facts.moving.push_back(support);
-  }
+  facts.moving = moving_supports(deck.parameters, length);
   return facts;
 }
 

@@ -180,11 +180,11 @@ int main(int argc, char** argv) {
       stroma::study_command(communicator, options.deck, folder, log);
     } else if (*reference) {
       const bool of_study = (options.section + "|").rfind("Study|", 0) == 0;
-      log.line(of_study ? stroma::deck::reference(
-                              stroma::study_section(),
-                              options.section.substr(std::min<std::size_t>(
-                                  options.section.size(), std::strlen("Study|"))))
-                        : stroma::deck::reference(stroma::deck_section(), options.section));
+      log.line(of_study
+                   ? stroma::deck::reference(stroma::study_section(),
+                                             options.section.substr(std::min<std::size_t>(
+                                                 options.section.size(), std::strlen("Study|"))))
+                   : stroma::deck::reference(stroma::deck_section(), options.section));
     }
   } catch (const stroma::base::InputError& error) {
     return fail(ExitStatus::wrong_input, error.what());
