@@ -100,10 +100,8 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   const grid::Grid& grid = specimen.partition.grid();
   check_image(communicator, deck, summary, labels, grid.spacing, log);
 
-  const DeckParameters& p = deck.parameters;
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
-                                           material::laws(p.materials.materials),
-                                           p.boundary_conditions.conditions);
+                                           problem_of(deck, specimen));
   std::int64_t filled = 0;
   const auto flags = balance.filled_elements();
   for (std::size_t e = 0; e < flags.extent(0); ++e) filled += flags(e);

@@ -23,9 +23,19 @@ deck::Section<DeckParameters> deck_section() {
   section.required_section(grid::grid_section(), &DeckParameters::grid);
   section.required_section(mechanics::boundary_conditions_section(),
                            &DeckParameters::boundary_conditions);
+  section.section(mechanics::external_forces_section(), &DeckParameters::external_forces);
   section.section(solver::loading_section(), &DeckParameters::loading);
   section.section(solver::solver_section(), &DeckParameters::solver);
   section.section(output::output_section(), &DeckParameters::output);
+  section.check([](const DeckParameters& p, deck::Findings& findings) {
+    for (const auto& [name, force] : p.external_forces.forces) {
+      if (!force.acceleration) continue;
+      for (const auto& [material, values] : p.materials.materials)
+        if (!values.density)
+          findings.add("Materials|" + material + "|Density [kg/m^3]",
+                       "missing; External Forces|" + name + " is a force per mass");
+    }
+  });
   return section;
 }
 
@@ -48,8 +58,8 @@ Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
 
 base::InputError located(const Deck& deck, const base::InputError& error) {
   static const std::vector<std::string> sections{
-      "Image",   "Materials", "Particles", "Grid", "Boundary Conditions",
-      "Loading", "Solver",    "Output"};
+      "Image",           "Materials", "Particles", "Grid",  "Boundary Conditions",
+      "External Forces", "Loading",   "Solver",    "Output"};
   deck::Findings findings(deck.document);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) {

@@ -13,6 +13,7 @@
 #include "image/ImageParameters.hpp"
 #include "material/Material.hpp"
 #include "mechanics/BoundaryConditions.hpp"
+#include "mechanics/ExternalForces.hpp"
 #include "output/OutputSection.hpp"
 #include "particles/Seeding.hpp"
 #include "solver/SolverSection.hpp"
@@ -26,6 +27,7 @@ struct DeckParameters {
   particles::ParticleParameters particles;
   grid::GridParameters grid;
   mechanics::BoundaryConditionsParameters boundary_conditions;
+  mechanics::ExternalForcesParameters external_forces;
   solver::LoadingParameters loading;
   solver::SolverParameters solver;
   output::OutputParameters output;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "HomeOrder.hpp"
 #include "MovingSupports.hpp"
 #include "base/Stage.hpp"
 #include "output/DeckFile.hpp"
@@ -44,8 +45,8 @@ output::ParticleSet Results::particle_set() const {
 }
 
 output::HistoryRow Results::with_figures(
-    output::HistoryRow row, const transfer::ParticleFields<grid::Device>& fields) const {
-  const auto& particles = specimen_->particles;
+    output::HistoryRow row, const particles::Particles<grid::Device>& particles,
+    const transfer::ParticleFields<grid::Device>& fields) const {
   std::vector<double> sums(2 * materials_.size() + 1, 0.0);  // volume, stress * volume; energy
   std::vector<double> largest(materials_.size(), 0.0);
   for (int p = 0; p < particles.count(); ++p) {
@@ -74,13 +75,15 @@ void Results::write(output::HistoryRow row, const mechanics::MomentumBalance& ba
                     const grid::Vector& u) {
   const auto fields = balance.particle_fields(u);
   grid::Vector force(balance.owned_map());
-  balance.internal_force(u, force);
+  balance.unbalanced_force(u, force);
   row.reactions = balance.supports().reactions(force);
-  rows_.push_back(with_figures(std::move(row), fields));
+  rows_.push_back(with_figures(std::move(row), balance.particles(), fields));
   history_.append(rows_.back());
 
   const auto& when = deck_->parameters.output;
-  if (output::is_due(rows_.back().step, when.particles_every, false)) write_particles(fields);
+  if (output::is_due(rows_.back().step, when.particles_every, false))
+    write_particles(
+        in_home_order(communicator_, balance.particles(), fields, specimen_->particles.count()));
   if (output::is_due(rows_.back().step, when.grid_every, false)) write_grid(balance, u);
 }
 
@@ -104,21 +107,27 @@ void Results::write_particles(const transfer::ParticleFields<grid::Device>& fiel
   particles_step_ = rows_.back().step;
 }
 
+void Results::open_grid_file(const mechanics::MomentumBalance& balance) {
+  const grid::Partition& partition = balance.halo().partition();
+  const grid::Grid& grid = partition.grid();
+  const grid::Box elements = partition.elements(communicator_.rank());
+  const auto filled = balance.filled_elements();
+  output::GridPart part;
+  part.elements = grid.elements;
+  part.first_element = elements.begin;
+  for (int d = 0; d < 3; ++d) part.element_count[d] = elements.extent(d);
+  part.origin = grid.origin;
+  part.spacing = grid.spacing;
+  part.active = filled.data();
+  grid_file_.emplace(communicator_, folder_.grid(++grid_files_), part, provenance_,
+                     deck_->parameters.output.precision);
+}
+
 void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u) {
-  const grid::Grid& grid = specimen_->partition.grid();
-  const grid::Box elements = specimen_->partition.elements(communicator_.rank());
-  if (!grid_file_) {
-    const auto filled = balance.filled_elements();
-    output::GridPart part;
-    part.elements = grid.elements;
-    part.first_element = elements.begin;
-    for (int d = 0; d < 3; ++d) part.element_count[d] = elements.extent(d);
-    part.origin = grid.origin;
-    part.spacing = grid.spacing;
-    part.active = filled.data();
-    grid_file_.emplace(communicator_, folder_.grid(), part, provenance_,
-                       deck_->parameters.output.precision);
-  }
+  const base::Stage stage("output");
+  // A grid that is reset has other elements in each step, and so a file of its own.
+  if (!grid_file_ || deck_->parameters.grid.reset) open_grid_file(balance);
+  const grid::Grid& grid = balance.halo().partition().grid();
   const auto gathered = [&](const grid::Vector& vector, double share) {
     const grid::ConstNodeView view = balance.halo().gather(vector);
     std::vector<double> values(view.data(), view.data() + view.size());
@@ -131,7 +140,7 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
     return values;
   };
   grid::Vector force(balance.owned_map());
-  balance.internal_force(u, force);
+  balance.unbalanced_force(u, force);
   const std::vector<double> displacement = gathered(u, 1.0);
   const std::vector<double> residual = gathered(force, 0.5);
   grid_file_->write(rows_.back().load, displacement.data(), residual.data());
@@ -140,7 +149,8 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
 
 void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
-  const auto fields = balance.particle_fields(u);
+  const auto fields = in_home_order(communicator_, balance.particles(), balance.particle_fields(u),
+                                    specimen_->particles.count());
   if (particles_step_ != rows_.back().step) write_particles(fields);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
   const grid::Grid& grid = specimen_->partition.grid();

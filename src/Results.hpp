@@ -40,8 +40,10 @@ class Results {
  private:
   output::ParticleSet particle_set() const;
   output::HistoryRow with_figures(output::HistoryRow row,
+                                  const particles::Particles<grid::Device>& particles,
                                   const transfer::ParticleFields<grid::Device>& fields) const;
   void write_particles(const transfer::ParticleFields<grid::Device>& fields);
+  void open_grid_file(const mechanics::MomentumBalance& balance);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void print_table(const std::vector<output::MovingSupport>& moving, double seconds) const;
 
@@ -56,6 +58,7 @@ class Results {
   output::History history_;
   std::optional<output::ParticleFile> particle_file_;
   std::optional<output::GridFile> grid_file_;
+  int grid_files_ = 0;
   std::vector<output::HistoryRow> rows_;
   std::int64_t particles_step_ = -1, grid_step_ = -1;  // last ones written
 };

@@ -8,6 +8,7 @@
 #include "Results.hpp"
 #include "Specimen.hpp"
 #include "base/Error.hpp"
+#include "mechanics/MovingBody.hpp"
 #include "solver/NewtonSolver.hpp"
 #include "solver/StepControl.hpp"
 
@@ -70,76 +71,73 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   labels.reset();
 
   const DeckParameters& p = deck.parameters;
-  mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
-                                     material::laws(p.materials.materials),
-                                     p.boundary_conditions.conditions);
+  mechanics::MovingBody body(communicator, specimen.partition, specimen.particles,
+                             problem_of(deck, specimen));
   const output::RunFolder folder(communicator, output_folder);
   folder.remove_old_results();
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
-  describe(communicator, specimen, balance, log);
+  describe(communicator, specimen, body.balance(), log);
   Results results(communicator, deck, specimen, folder, log);
 
   solver::NewtonSolver newton(
-      p.solver, balance, [&](int iteration, double residual, long long linear) {
+      p.solver, body.balance(), [&](int iteration, double residual, long long linear) {
         log.line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s",
                         iteration, residual, linear, seconds()));
       });
   solver::StepControl load(p.loading);
-  grid::Vector u(balance.owned_map());         // displacement since the base configuration
-  grid::Vector previous(balance.owned_map());  // that of the step before, at previous_load
-  double previous_load = 0.0;
-  bool may_extrapolate = false;
-  results.write({}, balance, u);
+  results.write({}, body.balance(), body.displacement());
 
   while (!load.finished()) {
     const double next = load.next();
-    grid::Vector trial(u, Teuchos::Copy);
-    solver::NewtonResult newton_result;
     try {
-      if (may_extrapolate) {
-        const double ratio = (next - load.load()) / (load.load() - previous_load);
-        trial.update(-ratio, previous, 1.0 + ratio);
+      if (body.begin_step()) newton.attach(body.balance());  // the grid was reset
+    } catch (const base::RunError&) {
+      results.finish(body.balance(), body.displacement(), seconds);
+      throw;
+    }
+    mechanics::MomentumBalance& balance = body.balance();
+    balance.set_load(next);
+    grid::Vector trial(body.displacement(), Teuchos::Copy);
+    solver::NewtonResult solved;
+    try {
+      if (const auto extrapolated = body.extrapolated(next)) {
+        trial.assign(*extrapolated);
       } else {
-        grid::Vector change(balance.owned_map());
-        balance.supports().impose(next - load.load(), change);
-        newton.predict(trial, change);
+        newton.predict(trial, balance.supports().change(next, trial));
       }
       balance.supports().impose(next, trial);
-      newton_result = newton.solve(trial);
+      solved = newton.solve(trial);
     } catch (const base::StepRejected& rejected) {
       log.line(format("step to load %.6g rejected: %s", next, rejected.what()));
       const double from = load.load();
+      body.reject();
       if (!load.reject()) {
-        results.finish(balance, u, seconds);
+        results.finish(balance, body.displacement(), seconds);
         throw base::RunError(failure(deck, balance.worst_particle(trial), from, next,
                                      rejected.what(), folder.folder()));
       }
-      may_extrapolate = false;
       continue;
     }
 
     // The step has converged: only now does anything change.
-    std::swap(previous, u);
-    std::swap(u, trial);
-    previous_load = load.load();
+    body.accept(next, trial);
     load.accept();
-    may_extrapolate = true;
 
     output::HistoryRow row;
     row.step = load.accepted();
     row.load = load.load();
-    row.newton_iterations = newton_result.iterations;
-    row.linear_iterations = newton_result.linear_iterations;
-    row.residual = newton_result.residual;
+    row.newton_iterations = solved.iterations;
+    row.linear_iterations = solved.linear_iterations;
+    row.residual = solved.residual;
     row.wall_seconds = seconds();
-    results.write(row, balance, u);
-    log.line(format(
-        "step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
-        "%.0f s left",
-        load.accepted(), load.load(), newton_result.iterations, newton_result.linear_iterations,
-        newton_result.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
+    results.write(row, balance, trial);
+    log.line(
+        format("step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
+               "%.0f s left",
+               load.accepted(), load.load(), solved.iterations, solved.linear_iterations,
+               solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
   }
-  results.finish(balance, u, seconds);
+  results.finish(body.balance(), body.displacement(), seconds);
 }
 
 }  // namespace stroma

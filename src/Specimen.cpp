@@ -51,4 +51,21 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   return specimen;
 }
 
+mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
+  const DeckParameters& p = deck.parameters;
+  mechanics::Problem problem;
+  problem.body = specimen.partition.grid();
+  problem.laws = material::laws(p.materials.materials);
+  problem.conditions = p.boundary_conditions.conditions;
+  problem.forces = p.external_forces.forces;
+  for (const auto& named : p.materials.materials)
+    if (named.second.density) problem.density.push_back(*named.second.density);
+  if (problem.density.size() != problem.laws.size()) problem.density.clear();
+  problem.particle_spacing = specimen.particle_spacing;
+  problem.reset = p.grid.reset;
+  problem.deformation_gradient = p.grid.deformation_gradient;
+  problem.stabilization = p.grid.stabilization;
+  return problem;
+}
+
 }  // namespace stroma

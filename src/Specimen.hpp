@@ -18,11 +18,14 @@ namespace stroma {
 struct Specimen {
   image::ImageSummary image;
   grid::Partition partition;
-  particles::Particles<grid::Device> particles;
-  std::array<double, 3> particle_spacing;  ///< distance of neighbouring particles [um]
+  particles::Particles<grid::Device> particles;  ///< of the undeformed body
+  std::array<double, 3> particle_spacing;        ///< distance of neighbouring particles [um]
 
   std::int64_t particle_count;  ///< over all ranks
 };
+
+/// What is solved on the specimen.
+mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen);
 
 /// Reads and segments the deck's image. The labels are kept only as long as they are needed: they
 /// and the particles are the larger part of what a rank holds before it solves. Collective.

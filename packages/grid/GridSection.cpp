@@ -19,11 +19,22 @@ deck::Section<GridParameters> grid_section() {
                    "Number of elements along x, y, z, instead of their size.");
   section.optional(
       "Reset", &GridParameters::reset, deck::any(),
-      "Whether the grid returns to its Cartesian shape after each load step. This version "
-      "offers false: the grid convects with the particles.");
+      "true: the grid returns to its Cartesian shape after each load step and particles move "
+      "across it (the standard Material Point Method). false: it convects with the particles.");
   section.choice("Shape Functions", &GridParameters::shape_functions,
                  {{"Linear", ShapeFunctions::linear}},
                  "Interpolation between particles and nodes.");
+  section.choice(
+      "Deformation Gradient", &GridParameters::deformation_gradient,
+      {{"Incremental", DeformationGradient::incremental},
+       {"Projected Displacement", DeformationGradient::projected_displacement}},
+      "Incremental: each step's deformation on top of the one before. Projected "
+      "Displacement: the paper's equations 1 and 2, which put the particles' displacement "
+      "on the grid anew in each step, and are wrong at free faces (docs/theory.md).");
+  section.optional("Stabilization", &GridParameters::stabilization, deck::at_least(0.0),
+                   "Stiffness, as a fraction of the real one, of a fictitious material in elements "
+                   "that particles fill by less than half. It keeps nodes in place that the body "
+                   "barely touches; 0: none.");
   section.optional("Plane Strain", &GridParameters::plane_strain, deck::any(),
                    "u_z = 0 everywhere; the grid has one element through z.");
   section.check([](const GridParameters& p, deck::Findings& findings) {
@@ -32,7 +43,6 @@ deck::Section<GridParameters> grid_section() {
     if (!p.element_size && !p.elements)
       findings.add("Element Size [um]",
                    "missing; give it, or Elements (their number along x, y, z)");
-    if (p.reset) findings.add("Reset", "true is not available in this version; admissible: false");
   });
   return section;
 }

@@ -13,12 +13,15 @@
 namespace stroma::grid {
 
 enum class ShapeFunctions { linear };
+enum class DeformationGradient { incremental, projected_displacement };
 
 struct GridParameters {
   std::optional<std::array<double, 3>> element_size;  ///< [um], > 0
   std::optional<std::array<int, 3>> elements;         ///< instead of the size
   bool reset = false;
   ShapeFunctions shape_functions = ShapeFunctions::linear;
+  DeformationGradient deformation_gradient = DeformationGradient::incremental;
+  double stabilization = 1e-4;  ///< of the fictitious material [-], >= 0
   bool plane_strain = false;
 };
 

@@ -18,6 +18,9 @@ deck::Section<MaterialsParameters> materials_section() {
       "Bulk Modulus [Pa].");
   material.optional("Bulk Modulus [Pa]", &MaterialParameters::bulk_modulus, deck::positive(),
                     "Bulk modulus K, instead of Poisson Ratio.");
+  material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
+                    "Mass density, for forces per mass and for Deformation Gradient = Projected "
+                    "Displacement; there, materials without it count as equally dense.");
   material.check([](const MaterialParameters& p, deck::Findings& findings) {
     if (p.poisson_ratio && p.bulk_modulus)
       findings.add("Bulk Modulus [Pa]", "given beside \"Poisson Ratio\"; give one of the two");

@@ -23,6 +23,7 @@ struct MaterialParameters {
   double shear_modulus = 0.0;           ///< mu [Pa], > 0
   std::optional<double> poisson_ratio;  ///< nu, in (-1, 1/2); either this
   std::optional<double> bulk_modulus;   ///< or K [Pa], > 0
+  std::optional<double> density;        ///< rho [kg/m^3], > 0; where forces per mass act
 };
 
 /// Materials as the user named and ordered them. A material's place in the list is its index.

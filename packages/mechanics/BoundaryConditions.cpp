@@ -27,6 +27,50 @@ double BoundaryCondition::value(int component, const std::array<double, 3>& posi
   return 0.0;
 }
 
+std::array<double, 3> BoundaryCondition::carried_from(const std::array<double, 3>& x, double load,
+                                                      const std::array<double, 3>& corner,
+                                                      const std::array<double, 3>& length) const {
+  std::array<double, 3> X = x;
+  if (displacement_gradient) {
+    tensor::Tensor3 motion = tensor::identity();
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3 && prescribes(c); ++d)
+        motion(c, d) += load * (*displacement_gradient)[static_cast<std::size_t>(3 * c + d)];
+    const tensor::Tensor3 back = tensor::inverse(motion);
+    for (int c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      X[i] = corner[i];
+      for (int d = 0; d < 3; ++d)
+        X[i] += back(c, d) * (x[static_cast<std::size_t>(d)] - corner[static_cast<std::size_t>(d)]);
+    }
+    return X;
+  }
+  for (int c = 0; c < 3; ++c)
+    if (prescribes(c)) X[static_cast<std::size_t>(c)] -= load * value(c, x, corner, length);
+  return X;
+}
+
+bool BoundaryCondition::is_self_contained() const {
+  if (!displacement_gradient) return true;
+  for (int c = 0; c < 3; ++c)
+    for (int d = 0; d < 3 && prescribes(c); ++d)
+      if (!prescribes(d) && (*displacement_gradient)[static_cast<std::size_t>(3 * c + d)] != 0.0)
+        return false;
+  return true;
+}
+
+bool BoundaryCondition::stays_in_plane() const {
+  const int normal = axis_of(*face);
+  if (normal < 0 || !prescribes(normal)) return false;
+  const auto n = static_cast<std::size_t>(normal);
+  if (displacement) return (*displacement)[n] == 0.0;
+  if (strain) return *strain == 0.0;
+  if (!displacement_gradient) return true;
+  for (std::size_t d = 0; d < 3; ++d)
+    if ((d != n || is_upper(*face)) && (*displacement_gradient)[3 * n + d] != 0.0) return false;
+  return true;
+}
+
 int BoundaryCondition::loaded_component(const std::array<double, 3>& length) const {
   int loaded = -1;
   double largest = 0.0;
@@ -66,6 +110,12 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   condition.optional("Displacement Gradient", &BoundaryCondition::displacement_gradient,
                      deck::any(),
                      "Nine numbers G, row by row: u = G (X - lowest corner of the body's box).");
+  condition.choice("Imposed By", &BoundaryCondition::imposed_by,
+                   {{"Nodes", ImposedBy::nodes}, {"Grip", ImposedBy::grip}},
+                   "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay in "
+                   "its plane (its normal displacement is prescribed as zero). Grip: the particles "
+                   "within one element of the face at load 0 are moved, with all nodes that they "
+                   "touch. Without it: Nodes, or Grip with Grid|Reset.");
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
       const char c = p.components[n];

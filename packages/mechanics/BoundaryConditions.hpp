@@ -20,6 +20,10 @@ int axis_of(Face face);
 /// Whether the face is the upper one of its axis.
 bool is_upper(Face face);
 
+/// How a condition reaches the grid: at the nodes of the face; or by a grip, the particles that lie
+/// within one element of the face at load 0, which move as prescribed with all nodes they touch.
+enum class ImposedBy { nodes, grip };
+
 /// One condition on the displacement of a face. At most one of the three values is given; without
 /// any, the components are held at zero.
 struct BoundaryCondition {
@@ -28,6 +32,7 @@ struct BoundaryCondition {
   std::optional<std::array<double, 3>> displacement;           ///< [um], at full load
   std::optional<double> strain;                                ///< along the outward normal [-]
   std::optional<std::array<double, 9>> displacement_gradient;  ///< G, row by row [-]
+  std::optional<ImposedBy> imposed_by;  ///< else: nodes without grid reset, grip with it
 
   bool prescribes(int component) const {
     return components.find("xyz"[component]) != std::string::npos;
@@ -41,6 +46,20 @@ struct BoundaryCondition {
   /// \param length    edges of the body's box [um]
   double value(int component, const std::array<double, 3>& position,
                const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
+
+  /// The point X of the undeformed body [um] that the condition has carried to a position x [um] at
+  /// a load factor: x = X + load u(X). Components that it does not prescribe count as not moved.
+  std::array<double, 3> carried_from(const std::array<double, 3>& x, double load,
+                                     const std::array<double, 3>& corner,
+                                     const std::array<double, 3>& length) const;
+
+  /// Whether the prescribed displacement can be told from prescribed components alone, as
+  /// carried_from() must: with a Displacement Gradient, no prescribed row refers to a direction
+  /// that is free.
+  bool is_self_contained() const;
+
+  /// Whether the face stays in its plane: its normal displacement is prescribed as zero everywhere.
+  bool stays_in_plane() const;
 
   /// Component along which the face moves most at full load, -1 if it stays.
   int loaded_component(const std::array<double, 3>& length) const;

@@ -1,10 +1,16 @@
 #include "mechanics/MomentumBalance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
+#include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "particles/Seeding.hpp"
+#include "transfer/Advance.hpp"
 #include "transfer/InternalForce.hpp"
+#include "transfer/Projection.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -24,10 +30,12 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
   return box;
 }
 
-/// (touched node) whether an element with particles, of any rank, has it as a corner.
-Kokkos::View<std::uint8_t*, grid::Device> active_nodes(
-    const grid::Halo& halo, const transfer::ElementBox& box,
-    const particles::Particles<grid::Device>& particles) {
+/// (touched node) the elements around it, of any rank, that hold a particle for which
+/// belongs(particle) is true.
+template <class Belongs>
+Supports::NodeCounts elements_around(const grid::Halo& halo, const transfer::ElementBox& box,
+                                     const particles::Particles<grid::Device>& particles,
+                                     const Belongs& belongs) {
   const auto element_begin =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.element_begin);
   const grid::NodeView touches = halo.contributions();
@@ -37,7 +45,9 @@ Kokkos::View<std::uint8_t*, grid::Device> active_nodes(
     for (int j = 0; j < box.elements[1]; ++j)
       for (int i = 0; i < box.elements[0]; ++i) {
         const int e = box.element(i, j, k);
-        if (element_begin(e) == element_begin(e + 1)) continue;
+        int p = element_begin(e);
+        while (p < element_begin(e + 1) && !belongs(p)) ++p;
+        if (p == element_begin(e + 1)) continue;
         for (int a = 0; a < 8; ++a)
           touch(box.node(i + (a & 1), j + (a >> 1 & 1), k + (a >> 2)), 0) += 1.0;
       }
@@ -46,11 +56,46 @@ Kokkos::View<std::uint8_t*, grid::Device> active_nodes(
   halo.sum_to_owner(owned);
   const auto everywhere =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo.gather(owned));
-  Kokkos::View<std::uint8_t*, grid::Device> active("active", everywhere.extent(0));
-  const auto is_active = Kokkos::create_mirror_view(active);
-  for (std::size_t n = 0; n < everywhere.extent(0); ++n) is_active(n) = everywhere(n, 0) > 0.0;
-  Kokkos::deep_copy(active, is_active);
-  return active;
+  Supports::NodeCounts counts("elements around", everywhere.extent(0));
+  const auto count = Kokkos::create_mirror_view(counts);
+  for (std::size_t n = 0; n < everywhere.extent(0); ++n)
+    count(n) = static_cast<std::uint8_t>(everywhere(n, 0) + 0.5);
+  Kokkos::deep_copy(counts, count);
+  return counts;
+}
+
+/// Counts for the grip of a condition: the particles that lay in the outermost layer of elements
+/// along its face (along all faces, for Face::all) when the body was undeformed.
+Supports::NodeCounts grip(const grid::Halo& halo, const transfer::ElementBox& box,
+                          const particles::Particles<grid::Device>& particles,
+                          const grid::Grid& body, Face face) {
+  const auto position =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.position);
+  const auto displacement =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.base_displacement);
+  const bool has_base = particles.base_gradient.extent(0) != 0;
+  return elements_around(halo, box, particles, [&](int p) {
+    for (int d = 0; d < 3; ++d) {
+      if (face != Face::all && axis_of(face) != d) continue;
+      const double X = position(p, d) - (has_base ? displacement(p, d) : 0.0);
+      const double layer =
+          std::floor((X - body.origin[d]) / body.spacing[d] + particles::face_tolerance);
+      const bool lower = layer <= 0.0;
+      const bool upper = layer >= static_cast<double>(body.elements[d] - 1);
+      if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) return true;
+    }
+    return false;
+  });
+}
+
+template <class T>
+Kokkos::View<const T*, grid::Device> to_device(const std::string& name,
+                                               const std::vector<T>& values) {
+  Kokkos::View<T*, grid::Device> view(name, values.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
 }
 
 }  // namespace
@@ -58,22 +103,76 @@ Kokkos::View<std::uint8_t*, grid::Device> active_nodes(
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const grid::Partition& partition,
                                  const particles::Particles<Device>& particles,
-                                 const std::vector<Law>& laws, const NamedConditions& conditions)
+                                 const Problem& problem, double base_load)
     : communicator_(communicator),
       halo_(communicator, partition),
       particles_(particles),
-      box_(element_box(partition, communicator.rank())) {
-  Kokkos::View<Law*, Device> law("law", laws.size());
-  const auto host_law = Kokkos::create_mirror_view(law);
+      box_(element_box(partition, communicator.rank())),
+      law_(to_device("law", problem.laws)),
+      density_(to_device("density", problem.density.empty()
+                                        ? std::vector<double>(problem.laws.size(), 1.0)
+                                        : problem.density)),
+      load_(base_load) {
   double stiffest = 0.0;
-  for (std::size_t m = 0; m < laws.size(); ++m) {
-    host_law(m) = laws[m];
-    stiffest = std::max(stiffest, laws[m].bulk_modulus + 4.0 / 3.0 * laws[m].shear_modulus);
-  }
-  Kokkos::deep_copy(law, host_law);
-  law_ = law;
+  for (const Law& law : problem.laws)
+    stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
   typical_diagonal_ = stiffest * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
-  supports_ = std::make_unique<Supports>(halo_, conditions, active_nodes(halo_, box_, particles_));
+  if (problem.stabilization > 0.0) find_fictitious_points(problem.stabilization);
+
+  std::vector<Supports::NodeCounts> grips(problem.conditions.size());
+  for (std::size_t m = 0; m < grips.size(); ++m) {
+    const BoundaryCondition& condition = problem.conditions[m].second;
+    if (problem.imposed_by(condition) == ImposedBy::grip)
+      grips[m] = grip(halo_, box_, particles_, problem.body, *condition.face);
+  }
+  supports_ = std::make_unique<Supports>(
+      halo_, problem, base_load, elements_around(halo_, box_, particles_, [](int) { return true; }),
+      grips);
+  if (!problem.forces.empty()) find_external_force(problem);
+}
+
+MomentumBalance::MomentumBalance(const base::Communicator& communicator,
+                                 const grid::Partition& partition,
+                                 const particles::Particles<Device>& particles,
+                                 const std::vector<Law>& laws, const NamedConditions& conditions)
+    : MomentumBalance(communicator, partition, particles,
+                      Problem{partition.grid(), laws, conditions, {}, {}}) {}
+
+void MomentumBalance::find_fictitious_points(double stabilization) {
+  const std::size_t count = particles_.element_begin.extent(0) - 1;
+  const double element_volume = box_.spacing[0] * box_.spacing[1] * box_.spacing[2];
+  Kokkos::View<float*, Device> volume("fictitious volume", count);
+  const auto particles = particles_;
+  std::int64_t found = 0;
+  Kokkos::parallel_reduce(
+      "fictitious points", Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(count)),
+      KOKKOS_LAMBDA(const int e, std::int64_t& sum) {
+        double filled = 0.0;
+        for (int p = particles.element_begin(e); p < particles.element_begin(e + 1); ++p) {
+          tensor::Tensor3 H;
+          if (particles.base_gradient.extent(0) != 0)
+            for (int c = 0; c < 3; ++c)
+              for (int d = 0; d < 3; ++d) H(c, d) = particles.base_gradient(p, c, d);
+          filled += particles.volume(p) * (1.0 + tensor::det_minus_one(H));
+        }
+        if (!(filled > 0.0 && filled < 0.5 * element_volume)) return;
+        volume(e) = static_cast<float>(stabilization * (element_volume - filled) / 8.0);
+        ++sum;
+      },
+      found);
+  if (found > 0) fictitious_volume_ = volume;
+}
+
+void MomentumBalance::find_external_force(const Problem& problem) {
+  const grid::Vector at_rest(halo_.owned_map());
+  const transfer::ExternalForce<Shape, Device> kernel{
+      elements(at_rest),
+      to_device("forces", volume_forces(problem.forces, problem.body, problem.particle_spacing)),
+      density_, halo_.contributions()};
+  transfer::for_each_element<Shape::width, grid::ExecutionSpace>("external force", box_, kernel);
+  const auto force = Teuchos::rcp(new grid::Vector(halo_.owned_map()));
+  halo_.sum_to_owner(*force);
+  external_force_ = force;
 }
 
 Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements() const {
@@ -87,7 +186,7 @@ Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements() con
 }
 
 MomentumBalance::Elements MomentumBalance::elements(const grid::Vector& u) const {
-  return {box_, particles_, halo_.gather(u)};
+  return {box_, particles_, halo_.gather(u), fictitious_volume_};
 }
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {
@@ -100,8 +199,14 @@ std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector
   return communicator_.sum(bad);
 }
 
+std::int64_t MomentumBalance::unbalanced_force(const grid::Vector& u, grid::Vector& force) const {
+  const std::int64_t bad = internal_force(u, force);
+  if (external_force_ != Teuchos::null) force.update(-load_, *external_force_, 1.0);
+  return bad;
+}
+
 std::int64_t MomentumBalance::residual(const grid::Vector& u, grid::Vector& r) const {
-  const std::int64_t bad = internal_force(u, r);
+  const std::int64_t bad = unbalanced_force(u, r);
   supports_->clear(r);
   return bad;
 }
@@ -131,9 +236,76 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
   grid::NodeView displacement("u", at_u.displacement.extent(0));
   Kokkos::deep_copy(displacement, at_u.displacement);
   const transfer::TangentTimes<Shape, Law, Device> kernel{
-      {box_, particles_, displacement}, law_, halo_.gather(v), halo_.contributions()};
+      {box_, particles_, displacement, fictitious_volume_},
+      law_,
+      halo_.gather(v),
+      halo_.contributions()};
   transfer::for_each_element<Shape::width, grid::ExecutionSpace>("tangent times", box_, kernel);
   halo_.sum_to_owner(product);
+}
+
+double MomentumBalance::force_scale(const grid::Vector& unbalanced_force) const {
+  const double reactions = supports_->reaction_norm(unbalanced_force);
+  if (external_force_ == Teuchos::null) return reactions;
+  return std::max(reactions, std::abs(load_) * external_force_->norm2());
+}
+
+double MomentumBalance::rounding(const grid::Vector& u) const {
+  return 16.0 * std::numeric_limits<double>::epsilon() * typical_diagonal_ * u.norm2();
+}
+
+void MomentumBalance::project_displacement(const grid::Vector& u, grid::Vector& projected) const {
+  const auto fields = particle_fields(u);
+  const Elements at_u = elements(u);
+  const std::size_t nodes = at_u.displacement.extent(0);
+  const transfer::ProjectDisplacement<Shape, Device> kernel{at_u, fields.displacement, density_,
+                                                            grid::NodeView("mass", nodes),
+                                                            grid::NodeView("momentum", nodes)};
+  transfer::for_each_element<Shape::width, grid::ExecutionSpace>("project displacement", box_,
+                                                                 kernel);
+  grid::Vector mass(halo_.owned_map());
+  Kokkos::deep_copy(halo_.contributions(), kernel.mass);
+  halo_.sum_to_owner(mass);
+  Kokkos::deep_copy(halo_.contributions(), kernel.momentum);
+  halo_.sum_to_owner(projected);
+  const auto m = grid::node_view(static_cast<const grid::Vector&>(mass));
+  const auto value = grid::node_view(projected);
+  Kokkos::parallel_for(
+      "divide by mass",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(value.extent(0))),
+      KOKKOS_LAMBDA(const int n) {
+        for (int c = 0; c < 3; ++c) value(n, c) = m(n, 0) > 0.0 ? value(n, c) / m(n, 0) : 0.0;
+      });
+}
+
+void MomentumBalance::set_base_gradient(const grid::Vector& projected) {
+  const transfer::GradientFromDisplacement<Shape, Device> kernel{elements(projected)};
+  const std::int64_t bad = transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
+      "gradient from displacement", box_, kernel);
+  if (communicator_.sum(bad) > 0)
+    throw base::RunError("the projected displacement turns particles inside out");
+}
+
+void MomentumBalance::replace_displacement(const grid::Vector& old, const grid::Vector& now) {
+  grid::Vector difference(old, Teuchos::Copy);
+  difference.update(-1.0, now, 1.0);
+  transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
+      "keep displacement", box_, transfer::AddToDisplacement<Shape, Device>{elements(difference)});
+}
+
+particles::Particles<grid::Device> MomentumBalance::moved_particles(const grid::Vector& u) const {
+  using Particles = particles::Particles<Device>;
+  const auto count = static_cast<std::size_t>(particles_.count());
+  const auto unset = [](const char* name) {
+    return Kokkos::view_alloc(std::string(name), Kokkos::WithoutInitializing);
+  };
+  Particles moved = particles_;
+  moved.position = Particles::Vector3(unset("position"), count);
+  moved.base_displacement = Particles::Vector3(unset("base_displacement"), count);
+  moved.base_gradient = Particles::Tensor(unset("base_gradient"), count);
+  transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
+      "advance", box_, transfer::Advance<Shape, Device>{elements(u), moved});
+  return moved;
 }
 
 transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(

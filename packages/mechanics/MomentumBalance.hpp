@@ -11,6 +11,7 @@
 
 #include "grid/Halo.hpp"
 #include "material/NeoHookean.hpp"
+#include "mechanics/Problem.hpp"
 #include "mechanics/Supports.hpp"
 #include "mechanics/TangentMatrix.hpp"
 #include "particles/Particles.hpp"
@@ -27,14 +28,15 @@ struct WorstParticle {
   std::array<double, 3> position{};  ///< at the base configuration [um]
 };
 
-/// Residual and tangent of the quasi-static balance of momentum. The unknown u is the displacement
-/// of the grid's nodes since the base configuration [um], in a Tpetra vector over owned_map():
+/// Residual and tangent of the quasi-static balance of momentum on the grid of one base
+/// configuration. The unknown u is the displacement of the grid's nodes since then [um], in a
+/// Tpetra vector over owned_map():
 ///
-///     r_Ii(u) = sum_p V0 tau_ij dN_I/dx_j     [pN],      K = dr/du  [pN/um].
+///     r_Ii(u) = sum_p V0 tau_ij dN_I/dx_j - load f_Ii     [pN],      K = dr/du  [pN/um],
 ///
-/// Prescribed components of u (see Supports) are set by supports().impose(load, u); their rows of
-/// the residual are zero and their rows and columns of the tangent hold only a diagonal, so that K
-/// is symmetric and every Newton increment keeps them.
+/// with f the external force at full load. Prescribed components of u (see Supports) are set by
+/// supports().impose(load, u); their rows of the residual are zero and their rows and columns of
+/// the tangent hold only a diagonal, so that K is symmetric and every Newton increment keeps them.
 ///
 /// Every member function is collective. Functions that evaluate particles return how many of them,
 /// over all ranks, u turns inside out; the results are then not finite and the caller rejects u.
@@ -44,6 +46,12 @@ class MomentumBalance {
   using Law = material::NeoHookean;
   using Shape = shape::Linear;
 
+  /// \param base_load  load factor at the base configuration
+  /// \throws base::InputError  see Supports
+  MomentumBalance(const base::Communicator& communicator, const grid::Partition& partition,
+                  const particles::Particles<Device>& particles, const Problem& problem,
+                  double base_load = 0.0);
+  /// A body without external forces on a grid that is not reset.
   MomentumBalance(const base::Communicator& communicator, const grid::Partition& partition,
                   const particles::Particles<Device>& particles, const std::vector<Law>& laws,
                   const NamedConditions& conditions);
@@ -57,9 +65,15 @@ class MomentumBalance {
   /// (local element) whether the element holds a particle.
   Kokkos::View<std::uint8_t*, Device> filled_elements() const;
 
-  /// Internal force [pN] at all owned unknowns, prescribed ones (reactions) included.
+  /// Load factor by which external forces are multiplied (0 at the start).
+  void set_load(double load) { load_ = load; }
+
+  /// Internal force [pN] at all owned unknowns.
   std::int64_t internal_force(const grid::Vector& u, grid::Vector& force) const;
-  /// Internal force with prescribed components cleared.
+  /// Internal less external force [pN]: at prescribed components the force of the support on the
+  /// body, elsewhere the residual.
+  std::int64_t unbalanced_force(const grid::Vector& u, grid::Vector& force) const;
+  /// Unbalanced force with prescribed components cleared.
   std::int64_t residual(const grid::Vector& u, grid::Vector& r) const;
   /// Assembles the tangent at u into the one matrix that tangent_matrix() returns.
   std::int64_t assemble_tangent(const grid::Vector& u);
@@ -68,6 +82,27 @@ class MomentumBalance {
   /// product = K(u) v without forming K and without regard to what is prescribed.
   void tangent_times(const grid::Vector& u, const grid::Vector& v, grid::Vector& product) const;
 
+  /// External force at full load [pN], at all owned unknowns; null if there is none.
+  const grid::RCP<const grid::Vector>& external_force() const { return external_force_; }
+  /// Size of the forces [pN] to which a residual is compared: the larger of the Euclidean norms of
+  /// the reactions and of the external force.
+  double force_scale(const grid::Vector& unbalanced_force) const;
+  /// How far rounding alone puts the residual from zero at a displacement [pN].
+  double rounding(const grid::Vector& u) const;
+
+  /// The displacement of the particles from the undeformed body, put on the grid anew (the paper's
+  /// equation 1): u_I = sum_p m_p N_I u_p / sum_p m_p N_I  [um]; 0 where no particle is.
+  void project_displacement(const grid::Vector& u, grid::Vector& projected) const;
+  /// Sets the base gradient of movable particles from a displacement of the nodes that leads from
+  /// the undeformed body to the base (the paper's equation 2).
+  /// \throws base::RunError when it turns particles inside out
+  void set_base_gradient(const grid::Vector& projected);
+  /// Lets particles that track their displacement keep it when the nodes' displacement since an
+  /// undeformed base is replaced by another.
+  void replace_displacement(const grid::Vector& old, const grid::Vector& now);
+  /// The (movable) particles at the displaced configuration, in the same order.
+  particles::Particles<Device> moved_particles(const grid::Vector& u) const;
+
   /// Results at this rank's particles.
   transfer::ParticleFields<Device> particle_fields(const grid::Vector& u) const;
   WorstParticle worst_particle(const grid::Vector& u) const;
@@ -75,13 +110,19 @@ class MomentumBalance {
  private:
   using Elements = transfer::ElementParticles<Shape, Device>;
   Elements elements(const grid::Vector& u) const;
+  void find_fictitious_points(double stabilization);
+  void find_external_force(const Problem& problem);
 
   base::Communicator communicator_;
   grid::Halo halo_;
   particles::Particles<Device> particles_;
   transfer::ElementBox box_;
   Kokkos::View<const Law*, Device> law_;
+  Kokkos::View<const double*, Device> density_;  // of each material
+  Kokkos::View<const float*, Device> fictitious_volume_;
   double typical_diagonal_;  // [pN/um]
+  double load_ = 0.0;
+  grid::RCP<const grid::Vector> external_force_;
   std::unique_ptr<Supports> supports_;
   std::unique_ptr<TangentMatrix> tangent_;
 };

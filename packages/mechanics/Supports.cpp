@@ -9,11 +9,16 @@
 namespace stroma::mechanics {
 namespace {
 
-bool lies_on(Face face, const grid::Index3& node, const grid::Grid& grid) {
+/// Whether a node lies on a face of the body's box. In plane strain the one layer of nodes lies on
+/// both faces of z.
+bool lies_on(Face face, const std::array<double, 3>& x, const grid::Grid& body) {
   for (int d = 0; d < 3; ++d) {
     if (face != Face::all && axis_of(face) != d) continue;
-    const bool lower = node[d] == 0;
-    const bool upper = node[d] == grid.elements[d] || (grid.flat && d == 2);
+    const auto i = static_cast<std::size_t>(d);
+    const double tolerance = 1e-6 * body.spacing[i];
+    const bool lower = std::abs(x[i] - body.origin[i]) < tolerance;
+    const bool upper =
+        std::abs(x[i] - body.origin[i] - body.length(d)) < tolerance || (body.flat && d == 2);
     if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) return true;
   }
   return false;
@@ -33,45 +38,75 @@ std::string conflict(const NamedConditions& conditions, int first, int second, i
       b, x[0], x[1], x[2], "xyz"[component]);
 }
 
+/// Refuses what the grid cannot do.
+void check_condition(const Problem& problem, const std::string& name,
+                     const BoundaryCondition& condition) {
+  const std::string where = "Boundary Conditions|" + name;
+  const auto& G = condition.displacement_gradient;
+  if (problem.body.flat && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
+    throw base::InputError(where +
+                           "|Displacement Gradient: displacements that vary along z are not plane "
+                           "strain; admissible: zeros in the third column");
+  if (!problem.reset) return;
+  if (!condition.is_self_contained())
+    throw base::InputError(
+        where +
+        "|Displacement Gradient: with Grid|Reset, the displacement must not "
+        "depend on a direction that the condition leaves free; admissible: zeros "
+        "in the columns of components that are not prescribed");
+  if (problem.imposed_by(condition) == ImposedBy::nodes && !condition.stays_in_plane())
+    throw base::InputError(
+        where +
+        "|Imposed By: with Grid|Reset, Nodes can hold only a face that stays in "
+        "its plane (its normal displacement prescribed as zero); admissible: Grip");
+}
+
 }  // namespace
 
-Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
-                   const Kokkos::View<std::uint8_t*, Device>& active)
-    : halo_(&halo), conditions_(static_cast<int>(conditions.size())) {
+Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_load,
+                   const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped)
+    : halo_(&halo),
+      conditions_(static_cast<int>(problem.conditions.size())),
+      base_load_(base_load) {
   const auto& communicator = halo.communicator();
   const grid::Partition& partition = halo.partition();
   const grid::Grid& grid = partition.grid();
+  const grid::Grid& body = problem.body;
+  const NamedConditions& conditions = problem.conditions;
   const grid::Box owned = partition.owned_nodes(communicator.rank());
   const grid::Box touched = partition.touched_nodes(communicator.rank());
-  const auto is_active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), active);
-  const std::array<double, 3> length{grid.length(0), grid.length(1), grid.length(2)};
+  const auto host = [](const NodeCounts& counts) {
+    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), counts);
+  };
+  const auto filled = host(filled_around);
+  std::vector<NodeCounts::HostMirror> in_grip;
+  for (const NodeCounts& grip : gripped) in_grip.push_back(host(grip));
+  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
   const double negligible = 1e-12 * *std::max_element(length.begin(), length.end());
 
   std::vector<std::uint8_t> held_owned(static_cast<std::size_t>(owned.count()), 0);
   std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
   std::int64_t active_nodes = 0;
   base::collectively(communicator, [&] {
-    for (const auto& [name, condition] : conditions) {
-      const auto& G = condition.displacement_gradient;
-      if (grid.flat && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
-        throw base::InputError(
-            "Boundary Conditions|" + name +
-            "|Displacement Gradient: displacements that vary along z are not plane "
-            "strain; admissible: zeros in the third column");
-    }
+    for (const auto& [name, condition] : conditions) check_condition(problem, name, condition);
     grid::for_each_index(owned, [&](const grid::Index3& node) {
       const auto n = static_cast<std::size_t>(owned.local(node));
       const auto x = grid.node_position(node);
-      const bool node_is_active = is_active(touched.local(node)) != 0;
+      const std::int64_t t = touched.local(node);
+      const bool node_is_active = filled(t) != 0;
       active_nodes += node_is_active ? 1 : 0;
       for (int c = 0; c < 3; ++c) {
         int by = node_is_active ? conditions_ : static_cast<int>(untouched);
         double value = 0.0;
         for (int m = 0; m < conditions_ && node_is_active; ++m) {
           const BoundaryCondition& condition = conditions[static_cast<std::size_t>(m)].second;
-          if (!condition.prescribes(c) || !lies_on(*condition.face, node, grid)) continue;
+          const bool applies = problem.imposed_by(condition) == ImposedBy::grip
+                                   ? in_grip[static_cast<std::size_t>(m)](t) != 0
+                                   : lies_on(*condition.face, x, body);
+          if (!condition.prescribes(c) || !applies) continue;
           ++nodes_of_condition[static_cast<std::size_t>(m)];
-          const double wanted = condition.value(c, x, grid.origin, length);
+          const auto X = condition.carried_from(x, base_load, body.origin, length);
+          const double wanted = condition.value(c, X, body.origin, length);
           if (by == conditions_) {
             by = m;
             value = wanted;
@@ -97,6 +132,14 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
           "|Face: there is no particle in the elements along this face; admissible: a "
           "face at which the image has a label other than -1 (empty)");
 
+  // Nodes deep in the body can hold a rigid motion; one that the body barely touches cannot.
+  std::uint8_t most_filled = 0;
+  for (std::size_t t = 0; t < filled.extent(0); ++t) most_filled = std::max(most_filled, filled(t));
+  most_filled = communicator.max(most_filled);
+  const auto can_hold = [&](std::int64_t n) {
+    const std::uint8_t around = filled(touched.local(owned.index(n)));
+    return problem.reset ? around == most_filled : around > 0;
+  };
   const auto component = [&](std::int64_t n, int c) {
     const grid::Index3 node = owned.index(n);
     return NodeComponent{partition.node_number(node), grid.node_position(node), c};
@@ -110,7 +153,8 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
       [&](const auto& visit) {
         for (std::int64_t n = 0; n < owned.count(); ++n)
           for (int c = 0; c < 3; ++c)
-            if (!(held_owned[static_cast<std::size_t>(n)] >> c & 1)) visit(component(n, c));
+            if (!(held_owned[static_cast<std::size_t>(n)] >> c & 1) && can_hold(n))
+              visit(component(n, c));
       });
   for (const NodeComponent& hold : rigid_holds_) {
     const std::int64_t n = hold.node - partition.first_node(communicator.rank());
@@ -143,7 +187,14 @@ Supports::Supports(const grid::Halo& halo, const NamedConditions& conditions,
 
 void Supports::impose(double load, grid::Vector& u) const {
   const auto values = u.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (const Prescribed& p : prescribed_) values(p.unknown, 0) = load * p.value;
+  for (const Prescribed& p : prescribed_) values(p.unknown, 0) = (load - base_load_) * p.value;
+}
+
+grid::Vector Supports::change(double load, const grid::Vector& u) const {
+  grid::Vector change(u, Teuchos::Copy);
+  impose(load, change);
+  change.update(-1.0, u, 1.0);
+  return change;
 }
 
 void Supports::clear(grid::Vector& v) const {
@@ -151,17 +202,17 @@ void Supports::clear(grid::Vector& v) const {
   for (const Prescribed& p : prescribed_) values(p.unknown, 0) = 0.0;
 }
 
-double Supports::reaction_norm(const grid::Vector& internal_force) const {
-  const auto force = internal_force.getLocalViewHost(Tpetra::Access::ReadOnly);
+double Supports::reaction_norm(const grid::Vector& unbalanced_force) const {
+  const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);
   double sum = 0.0;
   for (const Prescribed& p : prescribed_)
     if (p.condition >= 0) sum += force(p.unknown, 0) * force(p.unknown, 0);
   return std::sqrt(halo_->communicator().sum(sum));
 }
 
-std::vector<std::array<double, 3>> Supports::reactions(const grid::Vector& internal_force) const {
+std::vector<std::array<double, 3>> Supports::reactions(const grid::Vector& unbalanced_force) const {
   std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(conditions_));
-  const auto force = internal_force.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (const Prescribed& p : prescribed_)
     if (p.condition >= 0)
       sums[static_cast<std::size_t>(p.condition)][static_cast<std::size_t>(p.unknown % 3)] +=

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grid/Halo.hpp"
-#include "mechanics/BoundaryConditions.hpp"
+#include "mechanics/Problem.hpp"
 #include "mechanics/RigidMotion.hpp"
 
 namespace stroma::mechanics {
@@ -16,32 +16,42 @@ namespace stroma::mechanics {
 /// All prescribed components of this rank's owned nodes: those of the face conditions; u_z
 /// everywhere in plane strain; the nodes that no particle touches, which leave the system; and the
 /// few that hold a free rigid motion.
+///
+/// Displacements are those since the base configuration, at which the load factor was base_load: of
+/// a condition that moves a point X by load u(X), (load - base_load) u(X).
 class Supports {
  public:
   using Device = grid::Device;
+  using NodeCounts = Kokkos::View<std::uint8_t*, Device>;
 
   /// Collective.
-  /// \param active  (touched node) whether a particle of any rank touches it
-  /// \throws base::InputError when two conditions prescribe one component differently, or when a
-  ///         condition's face has no particle near it
-  Supports(const grid::Halo& halo, const NamedConditions& conditions,
-           const Kokkos::View<std::uint8_t*, Device>& active);
+  /// \param filled_around  (touched node) elements around it that hold particles, of any rank; 0:
+  ///                       no particle touches it
+  /// \param gripped        (condition)(touched node) the same, counting only elements that hold
+  ///                       particles of the condition's grip; not read for ImposedBy::nodes
+  /// \throws base::InputError when two conditions prescribe one component differently, when a
+  ///         condition's face has no particle near it, or when a condition cannot be followed by a
+  ///         grid that is reset
+  Supports(const grid::Halo& halo, const Problem& problem, double base_load,
+           const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped);
 
   /// (touched node) bit c: component c is prescribed.
   const Kokkos::View<std::uint8_t*, Device>& held() const { return held_; }
 
-  /// Sets the prescribed components of u [um] to their values at a load factor (0 to 1).
+  /// Sets the prescribed components of u [um] to their values at a load factor (base_load to 1).
   void impose(double load, grid::Vector& u) const;
+  /// How much the prescribed components of u must change for a load factor; 0 at the others.
+  grid::Vector change(double load, const grid::Vector& u) const;
   /// Sets the prescribed components of a vector to zero.
   void clear(grid::Vector& v) const;
-  /// Euclidean norm of the internal force at the prescribed components of face conditions [pN].
-  /// Collective.
-  double reaction_norm(const grid::Vector& internal_force) const;
+  /// Euclidean norm of the unbalanced force (internal minus external) at the prescribed components
+  /// of face conditions [pN]. Collective.
+  double reaction_norm(const grid::Vector& unbalanced_force) const;
 
-  /// Force of each condition's support on the body [pN]: the sum of the internal forces at its
+  /// Force of each condition's support on the body [pN]: the sum of the unbalanced forces at its
   /// prescribed components. A component that two conditions prescribe counts for the first.
   /// Collective.
-  std::vector<std::array<double, 3>> reactions(const grid::Vector& internal_force) const;
+  std::vector<std::array<double, 3>> reactions(const grid::Vector& unbalanced_force) const;
 
   /// Components held against free rigid motion.
   const std::vector<NodeComponent>& rigid_holds() const { return rigid_holds_; }
@@ -52,12 +62,13 @@ class Supports {
   struct Prescribed {
     int unknown;    ///< 3 * owned node + component
     int condition;  ///< index, or one of the reasons below
-    double value;   ///< displacement at full load [um]
+    double value;   ///< displacement per load factor [um]
   };
   enum Reason { plane_strain = -1, untouched = -2, rigid_motion = -3 };
 
   grid::Halo const* halo_;
   int conditions_;
+  double base_load_;
   std::vector<Prescribed> prescribed_;
   std::vector<NodeComponent> rigid_holds_;
   Kokkos::View<std::uint8_t*, Device> held_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/Error.hpp"
+#include "base/Log.hpp"
 
 namespace stroma::output {
 namespace {
@@ -18,7 +19,8 @@ namespace fs = std::filesystem;
 /// Whether the name is one that a run gives to a file of its own.
 bool is_result(const std::string& name) {
   static const std::regex results(
-      "(particles|grid)\\.e(\\.[0-9]+\\.[0-9]+)?|history\\.csv|deck\\.xml|log\\.txt|checkpoint\\."
+      "(particles|grid)\\.e(-s[0-9]+)?(\\.[0-9]+\\.[0-9]+)?|history\\.csv|deck\\.xml|log\\.txt|"
+      "checkpoint\\."
       "h5|"
       "(vessels|von_mises|force)\\.png");
   return std::regex_match(name, results);
@@ -51,6 +53,10 @@ RunFolder::RunFolder(const base::Communicator& communicator, std::string folder)
     }
     try_to_write(folder_);
   });
+}
+
+std::string RunFolder::grid(int number) const {
+  return file(number == 1 ? "grid.e" : base::format("grid.e-s%03d", number));
 }
 
 void RunFolder::remove_old_results() const {

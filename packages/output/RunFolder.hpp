@@ -26,7 +26,9 @@ class RunFolder {
   const std::string& folder() const { return folder_; }
   std::string history() const { return file("history.csv"); }
   std::string particles() const { return file("particles.e"); }
-  std::string grid() const { return file("grid.e"); }
+  /// Grid files are numbered from 1: grid.e, then, for other elements, grid.e-s002, grid.e-s003:
+  /// the names by which ParaView takes files with different meshes for one sequence.
+  std::string grid(int number = 1) const;
   std::string checkpoint() const { return file("checkpoint.h5"); }
   std::string deck() const { return file("deck.xml"); }
   std::string log() const { return file("log.txt"); }

@@ -14,9 +14,10 @@ namespace stroma::particles {
 /// The state refers to the base configuration: the one at which the grid was last Cartesian.
 /// Without grid reset that is the undeformed body for the whole run: positions never change,
 /// base_gradient and base_displacement stay empty (extent 0, meaning zero), and the deformation is
-/// the grid's.
+/// the grid's. With reset, the state moves on with each step, and particles change their order and
+/// their rank with their element (Migration.hpp).
 ///
-/// Without reset a particle costs 41 bytes.
+/// Without reset a particle costs 41 bytes, with reset 145.
 template <class Device>
 struct Particles {
   using Vector3 = Kokkos::View<double* [3], Kokkos::LayoutRight, Device>;
@@ -27,10 +28,16 @@ struct Particles {
   Kokkos::View<std::uint8_t*, Device> material;  ///< index into the list of materials
   Kokkos::View<std::int64_t*, Device> id;        ///< number in the layout's global order
   Kokkos::View<int*, Device> element_begin;      ///< (elements of the rank + 1)
-  Vector3 base_displacement;                     ///< u at the base configuration [um], or empty
+  Vector3 base_displacement;                     ///< u less what the nodes carry [um], or empty
   Tensor base_gradient;                          ///< H = F - I there [-], or empty
+  Kokkos::View<std::int64_t*, Device> home;      ///< where results belong (Exchange.hpp), or empty
 
   int count() const { return static_cast<int>(volume.extent(0)); }
+
+  /// X, where the particle was in the undeformed body [um]; device code.
+  KOKKOS_INLINE_FUNCTION double undeformed_position(int p, int d) const {
+    return base_gradient.extent(0) == 0 ? position(p, d) : position(p, d) - base_displacement(p, d);
+  }
 };
 
 }  // namespace stroma::particles

@@ -10,9 +10,6 @@
 namespace stroma::particles {
 namespace {
 
-/// Tolerance for points that rounding puts just below the face of an element [elements].
-constexpr double face_tolerance = 1e-9;
-
 /// Natural coordinates (0 to 1) of the points of one element along one axis; equal shares.
 std::vector<double> points_in_element(const ParticleParameters& parameters) {
   if (parameters.layout == Layout::gauss) {

@@ -17,6 +17,10 @@
 
 namespace stroma::particles {
 
+/// A point that rounding puts by less than this below a face of an element lies on the face, and so
+/// in the upper element [elements].
+constexpr double face_tolerance = 1e-9;
+
 enum class Layout { voxel_centers, gauss, per_element };
 
 struct ParticleParameters {

@@ -15,10 +15,10 @@ namespace {
 using Extract = Thyra::TpetraOperatorVectorExtraction<double, grid::LocalOrdinal,
                                                       grid::GlobalOrdinal, grid::Map::node_type>;
 
-/// Converged when ||F|| <= tolerance * the largest reaction, which grows as iterates are seen.
-class RelativeToReaction : public NOX::StatusTest::Generic {
+/// Converged when ||F|| <= tolerance * the largest force, which grows as iterates are seen.
+class RelativeToForce : public NOX::StatusTest::Generic {
  public:
-  RelativeToReaction(double tolerance, std::function<double(const NOX::Abstract::Group&)> measure)
+  RelativeToForce(double tolerance, std::function<double(const NOX::Abstract::Group&)> measure)
       : tolerance_(tolerance), measure_(std::move(measure)) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
@@ -56,23 +56,31 @@ Teuchos::RCP<Teuchos::ParameterList> nox_settings(const SolverParameters& parame
 
 NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::MomentumBalance& balance,
                            Progress progress)
-    : parameters_(parameters),
-      balance_(&balance),
-      progress_(std::move(progress)),
-      linear_solver_(parameters, balance),
-      model_(Teuchos::rcp(new ThyraModel(balance, thyra_factory(linear_solver_)))) {}
+    : parameters_(parameters), balance_(&balance), progress_(std::move(progress)) {
+  attach(balance);
+}
+
+void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
+  model_ = Teuchos::null;
+  balance_ = &balance;
+  linear_solver_ = std::make_unique<LinearSolver>(parameters_, balance);
+  model_ = Teuchos::rcp(new ThyraModel(balance, thyra_factory(*linear_solver_)));
+  reported_iterations_ = 0;
+}
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   residual_history_.clear();
   const auto measure = [&](const NOX::Abstract::Group& group) {
-    const double reaction = model_->reaction_norm();
-    if (std::isfinite(reaction)) largest_reaction_ = std::max(largest_reaction_, reaction);
+    const double force = model_->force_scale();
+    if (std::isfinite(force)) largest_force_ = std::max(largest_force_, force);
     const double norm = group.getNormF();
-    const double relative = norm == 0.0 ? 0.0 : norm / largest_reaction_;
+    double relative = norm / largest_force_;
+    const bool is_rounding = norm <= model_->rounding();
+    if (is_rounding && !(relative <= parameters_.newton_tolerance)) relative = 0.0;
     residual_history_.push_back(relative);
     if (progress_)
       progress_(static_cast<int>(residual_history_.size()) - 1, relative,
-                linear_solver_.total_iterations() - reported_iterations_);
+                linear_solver_->total_iterations() - reported_iterations_);
     return relative;
   };
 
@@ -82,8 +90,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
       NOX::Thyra::Vector(start), model_, model_->create_W_op(), model_->get_W_factory(),
       Teuchos::RCP<Thyra::PreconditionerBase<double>>(),
       Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>>()));
-  const auto converged =
-      Teuchos::rcp(new RelativeToReaction(parameters_.newton_tolerance, measure));
+  const auto converged = Teuchos::rcp(new RelativeToForce(parameters_.newton_tolerance, measure));
   const auto finite = Teuchos::rcp(new NOX::StatusTest::FiniteValue);
   const auto too_many = Teuchos::rcp(new NOX::StatusTest::MaxIters(parameters_.newton_iterations));
   const auto test =
@@ -104,8 +111,8 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
                      solver->getNumIterations(), residual_history_.back()));
   NewtonResult result;
   result.iterations = solver->getNumIterations();
-  result.linear_iterations = linear_solver_.total_iterations() - reported_iterations_;
-  reported_iterations_ = linear_solver_.total_iterations();
+  result.linear_iterations = linear_solver_->total_iterations() - reported_iterations_;
+  reported_iterations_ = linear_solver_->total_iterations();
   result.residual = residual_history_.back();
   return result;
 }
@@ -113,13 +120,13 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
 void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_change) {
   if (balance_->assemble_tangent(u) > 0)
     throw base::StepRejected("particles are turned inside out");
-  linear_solver_.set_matrix(balance_->tangent_matrix());
+  linear_solver_->set_matrix(balance_->tangent_matrix());
   grid::Vector rhs(balance_->owned_map()), du(balance_->owned_map()), r(balance_->owned_map());
   balance_->tangent_times(u, prescribed_change, rhs);
   balance_->residual(u, r);
   rhs.update(-1.0, r, -1.0);
   balance_->supports().clear(rhs);
-  linear_solver_.solve(rhs, du, parameters_.linear_tolerance);
+  linear_solver_->solve(rhs, du, parameters_.linear_tolerance);
   u.update(1.0, du, 1.0, prescribed_change, 1.0);
 }
 

@@ -4,6 +4,7 @@
 /// Newton's method on the balance of momentum, driven by NOX.
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "solver/LinearSolver.hpp"
@@ -15,7 +16,7 @@ namespace stroma::solver {
 struct NewtonResult {
   int iterations = 0;
   long long linear_iterations = 0;  ///< the predictor's included
-  double residual = 0.0;            ///< ||residual|| / largest ||reaction|| so far
+  double residual = 0.0;            ///< ||residual|| / largest force scale so far
 };
 
 /// Solves residual(u) = 0 for one load. Norms are Euclidean, over all ranks.
@@ -28,8 +29,13 @@ class NewtonSolver {
   NewtonSolver(const SolverParameters& parameters, mechanics::MomentumBalance& balance,
                Progress progress = {});
 
-  /// Changes u, whose prescribed components are set, until ||residual|| <= tolerance * largest
-  /// ||reaction|| of this and all earlier calls. Collective.
+  /// Goes on with another balance of the same body (after a grid reset): the largest reaction so
+  /// far still counts.
+  void attach(mechanics::MomentumBalance& balance);
+
+  /// Changes u, whose prescribed components are set, until ||residual|| <= tolerance * the largest
+  /// force scale (reactions, external force) of this and all earlier calls, or until nothing but
+  /// rounding is left (a body that moves without force). Collective.
   /// \throws base::StepRejected when it does not converge or when particles are turned inside
   ///         out; u then holds the last iterate
   NewtonResult solve(grid::Vector& u);
@@ -47,10 +53,10 @@ class NewtonSolver {
   SolverParameters parameters_;
   mechanics::MomentumBalance* balance_;
   Progress progress_;
-  LinearSolver linear_solver_;
+  std::unique_ptr<LinearSolver> linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
   long long reported_iterations_ = 0;
-  double largest_reaction_ = 0.0;
+  double largest_force_ = 0.0;
   std::vector<double> residual_history_;
 };
 

@@ -47,8 +47,9 @@ void ThyraModel::evalModelImpl(const Model::InArgs<double>& in,
   // Particles turned inside out make the results NaN, which NOX looks for.
   if (out.get_f() != Teuchos::null) {
     const auto f = Extract::getTpetraVector(out.get_f());
-    balance_->internal_force(*x, *f);
-    reaction_norm_ = balance_->supports().reaction_norm(*f);
+    balance_->unbalanced_force(*x, *f);
+    force_scale_ = balance_->force_scale(*f);
+    rounding_ = balance_->rounding(*x);
     balance_->supports().clear(*f);
   }
   if (out.get_W_op() != Teuchos::null) balance_->assemble_tangent(*x);

@@ -18,8 +18,10 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   /// \param balance  outlives the model
   ThyraModel(mechanics::MomentumBalance& balance, const Teuchos::RCP<const Factory>& factory);
 
-  /// Euclidean norm of the reactions at the last residual's displacement [pN].
-  double reaction_norm() const { return reaction_norm_; }
+  /// MomentumBalance::force_scale() at the last residual's displacement [pN].
+  double force_scale() const { return force_scale_; }
+  /// MomentumBalance::rounding() there [pN].
+  double rounding() const { return rounding_; }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override { return space_; }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_f_space() const override { return space_; }
@@ -36,7 +38,7 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   mechanics::MomentumBalance* balance_;
   Teuchos::RCP<const Factory> factory_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
-  mutable double reaction_norm_ = 0.0;
+  mutable double force_scale_ = 0.0, rounding_ = 0.0;
 };
 
 }  // namespace stroma::solver

@@ -11,10 +11,14 @@ namespace stroma::transfer {
 
 using tensor::Tensor3;
 
+/// The number of a point that is no particle.
+constexpr int none_of_them = -1;
+
 /// One particle at the current configuration.
 template <class Shape>
 struct ParticlePoint {
-  int p;                             ///< local number
+  int p;                             ///< local number; none_of_them: a fictitious point
+  int material;                      ///< index of its law
   double volume;                     ///< V0 [um^3]
   double value[Shape::nodes];        ///< N_a [-]
   double gradient[3][Shape::nodes];  ///< (j, a) dN_a/dx_j at the CURRENT configuration [1/um]
@@ -33,6 +37,10 @@ struct ParticlePoint {
 /// is reset (base = last step): pulling gradients back to the base is what the inverse Jacobian of
 /// a convected element does.
 ///
+/// Elements that the body fills by less than half may hold fictitious points beside their
+/// particles: a very soft material, at rest at the base configuration, that keeps nodes in place
+/// which the body barely touches (docs/theory.md, "Barely filled elements").
+///
 /// Source: docs/theory.md, eq. (T.4) to (T.7).
 template <class Shape, class Device>
 struct ElementParticles {
@@ -41,6 +49,8 @@ struct ElementParticles {
   ElementBox box;
   particles::Particles<Device> particles;
   NodeView displacement;  ///< U of the touched nodes [um]
+  /// (element) volume of each of its eight fictitious points [um^3], 0 for most; or empty: none.
+  Kokkos::View<const float*, Device> fictitious_volume = {};
 
   /// Values of a nodal vector at the nodes of an element, (component, a).
   KOKKOS_INLINE_FUNCTION void gather(const NodeView& nodal, int i, int j, int k,
@@ -73,20 +83,11 @@ struct ElementParticles {
     ParticlePoint<Shape> point;
     for (int p = begin; p < end; ++p) {
       point.p = p;
+      point.material = particles.material(p);
       point.volume = particles.volume(p);
       double xi[3];
-      for (int d = 0; d < 3; ++d)
-        xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
-      double base_gradient[3][Shape::nodes];
-      Shape::evaluate(xi, box.inverse_spacing, point.value, base_gradient);
-
-      Tensor3 G;  // f - I
-      for (int c = 0; c < 3; ++c)
-        for (int d = 0; d < 3; ++d) {
-          double sum = 0.0;
-          for (int a = 0; a < Shape::nodes; ++a) sum += u[c][a] * base_gradient[d][a];
-          G(c, d) = sum;
-        }
+      natural_coordinates(p, index, xi);
+      const Tensor3 G = move(xi, u, point);
       point.H = G;
       if (particles.base_gradient.extent(0) != 0) {
         Tensor3 base;
@@ -95,15 +96,82 @@ struct ElementParticles {
         point.H = base + G + G * base;
       }
       if (!(1.0 + tensor::det_minus_one(point.H) > 0.0)) ++bad;
-
-      const Tensor3 f_inverse = tensor::inverse(tensor::identity() + G);
-      for (int d = 0; d < 3; ++d)
-        for (int a = 0; a < Shape::nodes; ++a)
-          point.gradient[d][a] = f_inverse(0, d) * base_gradient[0][a] +
-                                 f_inverse(1, d) * base_gradient[1][a] +
-                                 f_inverse(2, d) * base_gradient[2][a];
       visit(point);
     }
+  }
+
+  /// The same for the particles and then the fictitious points: all that resists deformation.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void for_each_point(int i, int j, int k, std::int64_t& bad,
+                                             const Visit& visit) const {
+    for_each_particle(i, j, k, bad, visit);
+    if (fictitious_volume.extent(0) == 0) return;
+    const int element = box.element(i, j, k);
+    if (!(fictitious_volume(element) > 0.0f)) return;
+    double u[3][Shape::nodes];
+    gather(displacement, i, j, k, u);
+    ParticlePoint<Shape> point;
+    point.p = none_of_them;
+    point.material = particles.material(particles.element_begin(element));
+    point.volume = static_cast<double>(fictitious_volume(element));
+    constexpr double gauss = 0.28867513459481288;  // 1 / (2 sqrt 3)
+    for (int q = 0; q < 8; ++q) {
+      const double xi[3] = {0.5 + (q & 1 ? gauss : -gauss), 0.5 + (q & 2 ? gauss : -gauss),
+                            0.5 + (q & 4 ? gauss : -gauss)};
+      point.H = move(xi, u, point);
+      if (!(1.0 + tensor::det_minus_one(point.H) > 0.0)) ++bad;
+      visit(point);
+    }
+  }
+
+  /// Calls visit(p, G) for each particle p of element (i, j, k), G = sum_a U_a (x) grad N_a with
+  /// gradients at the base configuration.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void for_each_base_gradient(int i, int j, int k,
+                                                     const Visit& visit) const {
+    const int element = box.element(i, j, k);
+    double u[3][Shape::nodes];
+    gather(displacement, i, j, k, u);
+    const int index[3] = {i, j, k};
+    for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
+      double xi[3], value[Shape::nodes], base_gradient[3][Shape::nodes];
+      natural_coordinates(p, index, xi);
+      Shape::evaluate(xi, box.inverse_spacing, value, base_gradient);
+      visit(p, displacement_gradient(u, base_gradient));
+    }
+  }
+
+ private:
+  KOKKOS_INLINE_FUNCTION void natural_coordinates(int p, const int index[3], double xi[3]) const {
+    for (int d = 0; d < 3; ++d)
+      xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
+  }
+
+  KOKKOS_INLINE_FUNCTION static Tensor3 displacement_gradient(
+      const double u[3][Shape::nodes], const double gradient[3][Shape::nodes]) {
+    Tensor3 G;
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d) {
+        double sum = 0.0;
+        for (int a = 0; a < Shape::nodes; ++a) sum += u[c][a] * gradient[d][a];
+        G(c, d) = sum;
+      }
+    return G;
+  }
+
+  /// Values and current gradients of a point; returns f - I there.
+  KOKKOS_INLINE_FUNCTION Tensor3 move(const double xi[3], const double u[3][Shape::nodes],
+                                      ParticlePoint<Shape>& point) const {
+    double base_gradient[3][Shape::nodes];
+    Shape::evaluate(xi, box.inverse_spacing, point.value, base_gradient);
+    const Tensor3 G = displacement_gradient(u, base_gradient);
+    const Tensor3 f_inverse = tensor::inverse(tensor::identity() + G);
+    for (int d = 0; d < 3; ++d)
+      for (int a = 0; a < Shape::nodes; ++a)
+        point.gradient[d][a] = f_inverse(0, d) * base_gradient[0][a] +
+                               f_inverse(1, d) * base_gradient[1][a] +
+                               f_inverse(2, d) * base_gradient[2][a];
+    return G;
   }
 };
 

@@ -44,7 +44,7 @@ struct GridToParticles {
         for (int a = 0; a < Shape::nodes; ++a) sum += point.value[a] * u[c][a];
         fields.displacement(p, c) = sum;
       }
-      const Law& material = law(elements.particles.material(p));
+      const Law& material = law(point.material);
       const Tensor3 sigma = material.cauchy_stress(point.H);
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};

@@ -8,7 +8,7 @@
 
 namespace stroma::transfer {
 
-/// Adds the internal force of each element's particles to its nodes:
+/// Adds the internal force of each element's points to its nodes:
 ///
 ///     f_Ii = sum_p V0 tau_ij dN_I/dx_j       [pN] = [Pa um^2]
 ///
@@ -23,8 +23,8 @@ struct InternalForce {
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double f[3][Shape::nodes] = {};
-    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-      const Tensor3 tau = law(elements.particles.material(point.p)).kirchhoff_stress(point.H);
+    elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      const Tensor3 tau = law(point.material).kirchhoff_stress(point.H);
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a)
           f[c][a] +=
@@ -54,10 +54,10 @@ struct TangentTimes {
     double v[3][Shape::nodes];
     elements.gather(direction, i, j, k, v);
     double f[3][Shape::nodes] = {};
-    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+    elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       Tensor3 tau;
       material::Tensor4 tangent;
-      law(elements.particles.material(point.p)).stress_and_tangent(point.H, tau, tangent);
+      law(point.material).stress_and_tangent(point.H, tau, tangent);
       Tensor3 D;
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)

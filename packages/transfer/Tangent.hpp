@@ -46,7 +46,7 @@ struct BlockRows {
   }
 };
 
-/// Adds the tangent of each element's particles to the rows of its nodes:
+/// Adds the tangent of each element's points to the rows of its nodes:
 ///
 ///     K_IiJk = sum_p V0 dN_I/dx_j a_ijkl dN_J/dx_l       [pN/um] = [Pa um]
 ///
@@ -67,10 +67,10 @@ struct Tangent {
     if (elements.particles.element_begin(element) == elements.particles.element_begin(element + 1))
       return;
     double K[n][3][3][n] = {};
-    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+    elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       Tensor3 tau;
       material::Tensor4 tangent;
-      law(elements.particles.material(point.p)).stress_and_tangent(point.H, tau, tangent);
+      law(point.material).stress_and_tangent(point.H, tau, tangent);
       double T[3][3][3][n];  // (j, i, k, b)
       for (int jj = 0; jj < 3; ++jj)
         for (int c = 0; c < 3; ++c)

@@ -1,0 +1,44 @@
+#pragma once
+
+/// \file
+/// The deck section "External Forces": what acts on the body besides its supports.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deck/Section.hpp"
+#include "grid/Grid.hpp"
+#include "mechanics/BoundaryConditions.hpp"
+#include "transfer/ExternalForce.hpp"
+
+namespace stroma::mechanics {
+
+/// One dead force, which keeps its direction and refers to the undeformed body. Exactly one of the
+/// three is given. It grows with the load factor.
+struct ExternalForce {
+  std::optional<std::array<double, 3>> body_force;    ///< per volume [pN/um^3]
+  std::optional<std::array<double, 3>> acceleration;  ///< per mass [m/s^2]
+  std::optional<std::array<double, 3>> traction;      ///< per area of a face [Pa]
+  std::optional<Face> face;                           ///< of the traction; a single face
+};
+
+using NamedForces = std::vector<std::pair<std::string, ExternalForce>>;
+
+struct ExternalForcesParameters {
+  NamedForces forces;
+};
+
+deck::Section<ExternalForcesParameters> external_forces_section();
+
+/// The forces as kernels want them, at full load. A traction is carried by the particles next to
+/// the face, one layer of them: t per area is t / s per volume, s their distance across the face.
+///
+/// \param body     the grid at load 0, which fills the body's box
+/// \param spacing  distance of neighbouring particles at load 0 [um]; only tractions need it
+std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, const grid::Grid& body,
+                                                 const std::array<double, 3>& spacing);
+
+}  // namespace stroma::mechanics

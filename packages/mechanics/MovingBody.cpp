@@ -1,0 +1,85 @@
+#include "mechanics/MovingBody.hpp"
+
+#include "base/Error.hpp"
+#include "base/Stage.hpp"
+#include "particles/Migration.hpp"
+
+namespace stroma::mechanics {
+namespace {
+
+bool is_movable(const Problem& problem) {
+  return problem.reset ||
+         problem.deformation_gradient == grid::DeformationGradient::projected_displacement;
+}
+
+particles::Particles<grid::Device> start_of(const base::Communicator& communicator,
+                                            particles::Particles<grid::Device> particles,
+                                            const Problem& problem) {
+  if (!is_movable(problem)) return particles;
+  particles::make_movable(communicator, particles);
+  if (!problem.reset) particles.base_gradient = {};  // the base stays the undeformed body
+  return particles;
+}
+
+}  // namespace
+
+MovingBody::MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
+                       const particles::Particles<grid::Device>& particles, const Problem& problem)
+    : communicator_(communicator),
+      problem_(problem),
+      balance_(std::make_unique<MomentumBalance>(
+          communicator, partition, start_of(communicator, particles, problem), problem)),
+      displacement_(std::make_unique<grid::Vector>(balance_->owned_map())) {}
+
+bool MovingBody::begin_step() {
+  if (!has_news_) return false;
+  if (problem_.reset) reset_grid();
+  has_news_ = false;
+  if (problem_.deformation_gradient == grid::DeformationGradient::projected_displacement) project();
+  return problem_.reset;
+}
+
+void MovingBody::reset_grid() {
+  const base::Stage stage("grid reset");
+  auto moved = balance_->moved_particles(*displacement_);
+  const grid::Grid grid = particles::covering_grid(communicator_, problem_.body, moved);
+  const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
+  moved = particles::migrate(communicator_, partition, moved);
+  try {
+    balance_ = std::make_unique<MomentumBalance>(communicator_, partition, moved, problem_, load_);
+  } catch (const base::InputError& error) {
+    // The conditions were fine in the undeformed body: the motion has brought them into conflict.
+    throw base::RunError(error.what());
+  }
+  displacement_ = std::make_unique<grid::Vector>(balance_->owned_map());
+  last_change_.reset();
+}
+
+void MovingBody::project() {
+  grid::Vector projected(balance_->owned_map());
+  balance_->project_displacement(*displacement_, projected);
+  if (problem_.reset) {
+    balance_->set_base_gradient(projected);
+  } else {
+    balance_->replace_displacement(*displacement_, projected);
+    displacement_->assign(projected);
+  }
+}
+
+std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
+  if (!last_change_) return std::nullopt;
+  grid::Vector u(*displacement_, Teuchos::Copy);
+  u.update((load - load_) / last_load_change_, *last_change_, 1.0);
+  return u;
+}
+
+void MovingBody::accept(double load, const grid::Vector& u) {
+  if (!last_change_) last_change_ = std::make_unique<grid::Vector>(balance_->owned_map());
+  last_change_->update(1.0, u, -1.0, *displacement_, 0.0);
+  last_load_change_ = load - load_;
+  displacement_->assign(u);
+  load_ = load;
+  has_news_ = true;
+}
+
+}  // namespace stroma::mechanics

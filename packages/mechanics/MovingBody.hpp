@@ -1,0 +1,63 @@
+#pragma once
+
+/// \file
+/// A body through its load steps: which base configuration a step starts from, and what becomes of
+/// its result.
+
+#include <memory>
+#include <optional>
+
+#include "mechanics/MomentumBalance.hpp"
+
+namespace stroma::mechanics {
+
+/// Keeps the particles and the grid under them from load step to load step:
+///
+///     if (body.begin_step()) ...        // a new balance(), on a new grid
+///     ... solve body.balance() for a trial displacement ...
+///     body.accept(load, trial);         // or nothing: a failed step leaves no trace
+///
+/// Without grid reset there is one base configuration, the undeformed body. With reset, an accepted
+/// displacement is the start of the next step: the particles move with their nodes, and the nodes
+/// return to the lattice, which is laid under the particles wherever they are by then.
+class MovingBody {
+ public:
+  /// \param particles  of the undeformed body; they are never written
+  /// \throws base::InputError  see Supports
+  MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
+             const particles::Particles<grid::Device>& particles, const Problem& problem);
+
+  MomentumBalance& balance() { return *balance_; }
+  const MomentumBalance& balance() const { return *balance_; }
+
+  /// Makes the accepted displacement the start of the next step. A second call without an accepted
+  /// step in between does nothing. Collective.
+  /// \return whether balance() is another one now, with other maps
+  /// \throws base::RunError when the new configuration cannot be computed with
+  bool begin_step();
+
+  /// Displacement since the base configuration [um], of the last accepted step.
+  const grid::Vector& displacement() const { return *displacement_; }
+  /// Displacement at a load factor if the body goes on as in the last accepted step; nothing if
+  /// there is none to go by. Its prescribed components are not set.
+  std::optional<grid::Vector> extrapolated(double load) const;
+
+  /// Takes a converged displacement since the base.
+  void accept(double load, const grid::Vector& u);
+  /// After a failed step: what happened in the last accepted one is no guide.
+  void reject() { last_change_.reset(); }
+
+ private:
+  void reset_grid();
+  void project();
+
+  base::Communicator communicator_;
+  Problem problem_;
+  std::unique_ptr<MomentumBalance> balance_;
+  std::unique_ptr<grid::Vector> displacement_;
+  std::unique_ptr<grid::Vector> last_change_;  // in the last accepted step; null: not known
+  double load_ = 0.0, last_load_change_ = 0.0;
+  bool has_news_ = false;  // a displacement was accepted since the last begin_step()
+};
+
+}  // namespace stroma::mechanics

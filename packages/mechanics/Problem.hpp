@@ -1,0 +1,37 @@
+#pragma once
+
+/// \file
+/// What is solved: the body, its materials, its supports, its loads, and by which variant of the
+/// method.
+
+#include <array>
+#include <vector>
+
+#include "grid/GridSection.hpp"
+#include "material/NeoHookean.hpp"
+#include "mechanics/BoundaryConditions.hpp"
+#include "mechanics/ExternalForces.hpp"
+
+namespace stroma::mechanics {
+
+/// Everything about a run that does not change with the load.
+struct Problem {
+  grid::Grid body;                         ///< the grid at load 0; it fills the body's box
+  std::vector<material::NeoHookean> laws;  ///< of each material
+  NamedConditions conditions;
+  NamedForces forces;
+  std::vector<double> density;               ///< of each material [kg/m^3]; empty: all alike
+  std::array<double, 3> particle_spacing{};  ///< at load 0 [um]; only tractions need it
+
+  bool reset = false;  ///< the grid returns to its lattice after each step
+  grid::DeformationGradient deformation_gradient = grid::DeformationGradient::incremental;
+  /// Stiffness of the fictitious material in elements that are filled by less than half, as a
+  /// fraction of the real one's [-]; 0: none.
+  double stabilization = 0.0;
+
+  ImposedBy imposed_by(const BoundaryCondition& condition) const {
+    return condition.imposed_by.value_or(reset ? ImposedBy::grip : ImposedBy::nodes);
+  }
+};
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,40 @@
+#pragma once
+
+/// \file
+/// Particles on the move: the grid that they fill, and their way to the owners of their elements.
+
+#include "base/Communicator.hpp"
+#include "grid/Partition.hpp"
+#include "grid/Types.hpp"
+#include "particles/Particles.hpp"
+
+namespace stroma::particles {
+
+/// Makes room for all that moves: base displacement and gradient (zero), and home, which numbers
+/// the particles of each rank as they stand now (Exchange.hpp).
+void make_movable(const base::Communicator& communicator, Particles<grid::Device>& particles);
+
+/// The smallest box of elements of a lattice that holds the particles of all ranks. The lattice is
+/// that of `body`, continued without end in each direction; so the grid follows the body wherever
+/// it goes. A particle on the face between two elements belongs to the upper one. Plane strain
+/// keeps its one layer. Collective.
+///
+/// \throws base::RunError when the body is spread so far (over 64 times the elements of `body`)
+///         that a particle must have got lost
+grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
+                         const Particles<grid::Device>& particles);
+
+/// Boxes of elements with about equal numbers of particles. Collective.
+/// \throws base::RunError when the grid has become too small for so many ranks
+grid::Partition balanced_partition(const base::Communicator& communicator, const grid::Grid& grid,
+                                   const Particles<grid::Device>& particles);
+
+/// Sends each movable particle to the owner of its element and sorts them there by element, and by
+/// id within an element, so that the order does not depend on the ranks. Collective.
+///
+/// \throws base::RunError when a particle was lost on the way
+Particles<grid::Device> migrate(const base::Communicator& communicator,
+                                const grid::Partition& partition,
+                                const Particles<grid::Device>& particles);
+
+}  // namespace stroma::particles

@@ -1,0 +1,38 @@
+#pragma once
+
+/// \file
+/// Grid to particles: the displaced configuration becomes the base of the next step.
+
+#include "transfer/ElementParticles.hpp"
+
+namespace stroma::transfer {
+
+/// Moves the particles with their nodes, from the base configuration to the displaced one:
+///
+///     x_p += sum_I N_I U_I,   u_p += sum_I N_I U_I,   H_p = H_base + (f - I) + (f - I) H_base.
+///
+/// Each particle is written by its own element alone: nothing is atomic. Source: docs/theory.md,
+/// eq. (T.15); the paper's equations 10, 11.
+template <class Shape, class Device>
+struct Advance {
+  ElementParticles<Shape, Device> elements;
+  particles::Particles<Device> moved;  ///< position, base displacement and gradient are written
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    double u[3][Shape::nodes];
+    elements.gather(elements.displacement, i, j, k, u);
+    const auto& before = elements.particles;
+    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      const int p = point.p;
+      for (int c = 0; c < 3; ++c) {
+        double change = 0.0;
+        for (int a = 0; a < Shape::nodes; ++a) change += point.value[a] * u[c][a];
+        moved.position(p, c) = before.position(p, c) + change;
+        moved.base_displacement(p, c) = before.base_displacement(p, c) + change;
+        for (int d = 0; d < 3; ++d) moved.base_gradient(p, c, d) = point.H(c, d);
+      }
+    });
+  }
+};
+
+}  // namespace stroma::transfer

@@ -1,0 +1,57 @@
+#pragma once
+
+/// \file
+/// Particles to grid: the forces that act on the particles from outside.
+
+#include "transfer/ElementParticles.hpp"
+
+namespace stroma::transfer {
+
+/// A force per reference volume on the particles between two planes of the undeformed body. A dead
+/// traction t on a face is one as well: t / s on the outermost layer of particles, of thickness s.
+struct VolumeForce {
+  double per_volume[3];  ///< [pN/um^3]; or, with per_mass, an acceleration times 1e-6 [m/s^2]
+  bool per_mass;         ///< multiply by the density of the particle's material
+  int axis;              ///< of the planes' normal; -1: everywhere
+  double lower, upper;   ///< where the planes are along the axis [um]
+};
+
+/// Adds the external force at full load of each element's particles to its nodes:
+///
+///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 sum (per_volume, times rho if per mass)     [pN]
+///
+/// The forces are dead (they do not change with the deformation), and N_I is that of the base
+/// configuration, as it is in the whole step. Launch with for_each_element(). Source:
+/// docs/theory.md, eq. (T.16).
+template <class Shape, class Device>
+struct ExternalForce {
+  ElementParticles<Shape, Device> elements;
+  Kokkos::View<const VolumeForce*, Device> forces;
+  Kokkos::View<const double*, Device> density;                   ///< (material) [kg/m^3]
+  Kokkos::View<double* [3], Kokkos::LayoutRight, Device> force;  ///< (touched node, i), added to
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    const auto& particles = elements.particles;
+    double f[3][Shape::nodes] = {};
+    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      double on_particle[3] = {};
+      for (std::size_t n = 0; n < forces.extent(0); ++n) {
+        const VolumeForce& one = forces(n);
+        if (one.axis >= 0) {
+          const double X = particles.undeformed_position(point.p, one.axis);
+          if (X < one.lower || X > one.upper) continue;
+        }
+        const double scale = point.volume * (one.per_mass ? density(point.material) : 1.0);
+        for (int c = 0; c < 3; ++c) on_particle[c] += scale * one.per_volume[c];
+      }
+      for (int c = 0; c < 3; ++c)
+        for (int a = 0; a < Shape::nodes; ++a) f[c][a] += on_particle[c] * point.value[a];
+    });
+    for (int a = 0; a < Shape::nodes; ++a) {
+      const int node = elements.node_of(i, j, k, a);
+      for (int c = 0; c < 3; ++c) force(node, c) += f[c][a];
+    }
+  }
+};
+
+}  // namespace stroma::transfer

@@ -1,0 +1,83 @@
+#pragma once
+
+/// \file
+/// Particles to grid and back: the projection of displacements that the paper's equations 1 and 2
+/// describe.
+
+#include "transfer/ElementParticles.hpp"
+
+namespace stroma::transfer {
+
+/// Adds the mass, and the mass times displacement, of each element's particles to its nodes:
+///
+///     m_I = sum_p m_p N_I,    (m u)_I = sum_p m_p N_I u_p,     m_p = V0 (times rho, if given)
+///
+/// whose quotient is the paper's equation 1. u_p is the whole displacement, from the undeformed
+/// body. Launch with for_each_element(). Source: docs/theory.md, eq. (T.17).
+template <class Shape, class Device>
+struct ProjectDisplacement {
+  using NodeView = Kokkos::View<double* [3], Kokkos::LayoutRight, Device>;
+
+  ElementParticles<Shape, Device> elements;
+  Kokkos::View<const double* [3], Kokkos::LayoutRight, Device> displacement;  ///< u_p [um]
+  Kokkos::View<const double*, Device> density;  ///< (material), any unit
+  NodeView mass;                                ///< (touched node, 0), added to
+  NodeView momentum;                            ///< (touched node, i) m u, added to
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    double m[Shape::nodes] = {}, mu[3][Shape::nodes] = {};
+    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      const double mass_of_particle = point.volume * density(point.material);
+      for (int a = 0; a < Shape::nodes; ++a) {
+        m[a] += mass_of_particle * point.value[a];
+        for (int c = 0; c < 3; ++c)
+          mu[c][a] += mass_of_particle * point.value[a] * displacement(point.p, c);
+      }
+    });
+    for (int a = 0; a < Shape::nodes; ++a) {
+      const int node = elements.node_of(i, j, k, a);
+      mass(node, 0) += m[a];
+      for (int c = 0; c < 3; ++c) momentum(node, c) += mu[c][a];
+    }
+  }
+};
+
+/// Sets each particle's deformation at the base from the nodal displacements u_I, the paper's
+/// equation 2. Gradients on the grid are those of the deformed configuration x = X + u, so
+///
+///     F = dx/dX = (dX/dx)^-1 = (I - sum_I u_I (x) grad_x N_I)^-1.
+///
+/// `elements.displacement` holds u_I. Source: docs/theory.md, eq. (T.18).
+template <class Shape, class Device>
+struct GradientFromDisplacement {
+  ElementParticles<Shape, Device> elements;
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    elements.for_each_base_gradient(i, j, k, [&](int p, const Tensor3& G) {
+      const Tensor3 F = tensor::inverse(tensor::identity() - G);
+      const Tensor3 H = F * G;  // (I - G)^-1 - I, without cancellation
+      if (!(1.0 + tensor::det_minus_one(H) > 0.0)) ++bad;
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d) elements.particles.base_gradient(p, c, d) = H(c, d);
+    });
+  }
+};
+
+/// Adds to each particle's base displacement what nodal values v carry: u_p += sum_I N_I v_I.
+/// `elements.displacement` holds v.
+template <class Shape, class Device>
+struct AddToDisplacement {
+  ElementParticles<Shape, Device> elements;
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    double v[3][Shape::nodes];
+    elements.gather(elements.displacement, i, j, k, v);
+    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      for (int c = 0; c < 3; ++c)
+        for (int a = 0; a < Shape::nodes; ++a)
+          elements.particles.base_displacement(point.p, c) += point.value[a] * v[c][a];
+    });
+  }
+};
+
+}  // namespace stroma::transfer
