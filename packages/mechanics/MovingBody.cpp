@@ -1,5 +1,7 @@
 #include "mechanics/MovingBody.hpp"
 
+#include <utility>
+
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
 #include "particles/Migration.hpp"
@@ -52,7 +54,7 @@ void MovingBody::reset_grid() {
     throw base::RunError(error.what());
   }
   displacement_ = std::make_unique<grid::Vector>(balance_->owned_map());
-  last_change_.reset();
+  previous_.reset();
 }
 
 void MovingBody::project() {
@@ -62,22 +64,23 @@ void MovingBody::project() {
     balance_->set_base_gradient(projected);
   } else {
     balance_->replace_displacement(*displacement_, projected);
+    previous_->update(1.0, projected, -1.0, *displacement_, 1.0);  // the last step's change stays
     displacement_->assign(projected);
   }
 }
 
 std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
-  if (!last_change_) return std::nullopt;
+  if (!previous_) return std::nullopt;
+  const double ratio = (load - load_) / (load_ - previous_load_);
   grid::Vector u(*displacement_, Teuchos::Copy);
-  u.update((load - load_) / last_load_change_, *last_change_, 1.0);
+  u.update(-ratio, *previous_, 1.0 + ratio);
   return u;
 }
 
 void MovingBody::accept(double load, const grid::Vector& u) {
-  if (!last_change_) last_change_ = std::make_unique<grid::Vector>(balance_->owned_map());
-  last_change_->update(1.0, u, -1.0, *displacement_, 0.0);
-  last_load_change_ = load - load_;
-  displacement_->assign(u);
+  previous_ = std::move(displacement_);
+  displacement_ = std::make_unique<grid::Vector>(u, Teuchos::Copy);
+  previous_load_ = load_;
   load_ = load;
   has_news_ = true;
 }

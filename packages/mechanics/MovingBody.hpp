@@ -45,7 +45,7 @@ class MovingBody {
   /// Takes a converged displacement since the base.
   void accept(double load, const grid::Vector& u);
   /// After a failed step: what happened in the last accepted one is no guide.
-  void reject() { last_change_.reset(); }
+  void reject() { previous_.reset(); }
 
  private:
   void reset_grid();
@@ -55,8 +55,8 @@ class MovingBody {
   Problem problem_;
   std::unique_ptr<MomentumBalance> balance_;
   std::unique_ptr<grid::Vector> displacement_;
-  std::unique_ptr<grid::Vector> last_change_;  // in the last accepted step; null: not known
-  double load_ = 0.0, last_load_change_ = 0.0;
+  std::unique_ptr<grid::Vector> previous_;  // a step earlier, on the same base; null: not known
+  double load_ = 0.0, previous_load_ = 0.0;
   bool has_news_ = false;  // a displacement was accepted since the last begin_step()
 };
 

@@ -49,9 +49,8 @@ const char* const deck = R"(Stroma:
     Grid Every: 0
 )";
 
-// The iteration counts are compared at the deck's default tolerances. Conjugate gradients amplify
-// rounding: after 230 iterations, at a linear tolerance of 1e-8, the counts of this block differ by
-// one.
+// Conjugate gradients amplify rounding, which differs with the order of sums: of the 400 iterations
+// of a step (three solves), one more or less is rounding.
 TEST(Ranks, DoNotChangeTheAnswer) {
   const TemporaryFolder folder;
   const fs::path path = folder.write("block.yaml", deck);
@@ -71,7 +70,7 @@ TEST(Ranks, DoNotChangeTheAnswer) {
     double worst = 0.0;
     for (std::size_t s = 1; s < 5; ++s) {
       EXPECT_EQ(several["newton_iterations"][s], one["newton_iterations"][s]) << "step " << s;
-      EXPECT_EQ(several["linear_iterations"][s], one["linear_iterations"][s]) << "step " << s;
+      EXPECT_NEAR(several["linear_iterations"][s], one["linear_iterations"][s], 1) << "step " << s;
       const double force = std::abs(one["top.reaction_y"][s]);
       EXPECT_GT(force, 0.0);
       for (const char* face : {"top", "bottom"})
