@@ -8,8 +8,7 @@
 #include "Results.hpp"
 #include "Specimen.hpp"
 #include "base/Error.hpp"
-#include "mechanics/MovingBody.hpp"
-#include "solver/NewtonSolver.hpp"
+#include "solver/LoadStep.hpp"
 #include "solver/StepControl.hpp"
 
 namespace stroma {
@@ -90,30 +89,22 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   while (!load.finished()) {
     const double next = load.next();
     try {
-      if (body.begin_step()) newton.attach(body.balance());  // the grid was reset
+      solver::begin_step(body, newton);
     } catch (const base::RunError&) {
       results.finish(body.balance(), body.displacement(), seconds);
       throw;
     }
-    mechanics::MomentumBalance& balance = body.balance();
-    balance.set_load(next);
-    grid::Vector trial(body.displacement(), Teuchos::Copy);
+    grid::Vector trial(body.balance().owned_map());
     solver::NewtonResult solved;
     try {
-      if (const auto extrapolated = body.extrapolated(next)) {
-        trial.assign(*extrapolated);
-      } else {
-        newton.predict(trial, balance.supports().change(next, trial));
-      }
-      balance.supports().impose(next, trial);
-      solved = newton.solve(trial);
+      solved = solver::solve_step(body, newton, next, trial);
     } catch (const base::StepRejected& rejected) {
       log.line(format("step to load %.6g rejected: %s", next, rejected.what()));
       const double from = load.load();
       body.reject();
       if (!load.reject()) {
-        results.finish(balance, body.displacement(), seconds);
-        throw base::RunError(failure(deck, balance.worst_particle(trial), from, next,
+        results.finish(body.balance(), body.displacement(), seconds);
+        throw base::RunError(failure(deck, body.balance().worst_particle(trial), from, next,
                                      rejected.what(), folder.folder()));
       }
       continue;
@@ -130,7 +121,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     row.linear_iterations = solved.linear_iterations;
     row.residual = solved.residual;
     row.wall_seconds = seconds();
-    results.write(row, balance, trial);
+    results.write(row, body.balance(), trial);
     log.line(
         format("step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
                "%.0f s left",

@@ -64,7 +64,7 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   problem.particle_spacing = specimen.particle_spacing;
   problem.reset = p.grid.reset;
   problem.deformation_gradient = p.grid.deformation_gradient;
-  problem.stabilization = p.grid.stabilization;
+  problem.stabilization = grid::stabilization(p.grid);
   return problem;
 }
 

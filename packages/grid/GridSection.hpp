@@ -21,11 +21,14 @@ struct GridParameters {
   bool reset = false;
   ShapeFunctions shape_functions = ShapeFunctions::linear;
   DeformationGradient deformation_gradient = DeformationGradient::incremental;
-  double stabilization = 1e-4;  ///< of the fictitious material [-], >= 0
+  std::optional<double> stabilization;  ///< of the fictitious material [-], >= 0
   bool plane_strain = false;
 };
 
 deck::Section<GridParameters> grid_section();
+
+/// Stiffness of the fictitious material [-]: as given, else 0.01 with reset and 0 without.
+double stabilization(const GridParameters& parameters);
 
 /// The grid that fills the body's box.
 ///

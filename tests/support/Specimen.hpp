@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "mechanics/MomentumBalance.hpp"
+#include "mechanics/MovingBody.hpp"
 #include "particles/Seeding.hpp"
 
 namespace stroma::test {
@@ -17,17 +17,24 @@ namespace stroma::test {
 struct Specimen {
   grid::Index3 elements{4, 4, 4};
   std::array<double, 3> spacing{2.1, 2.1, 2.0};  ///< [um]
+  std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< [um]
   std::array<std::int64_t, 3> voxels_per_element{2, 2, 2};
   std::function<std::int32_t(const grid::Index3&)> label;  ///< of a voxel; none: all 0
   particles::ParticleParameters layout{particles::Layout::gauss, 1, 2};
   std::vector<material::NeoHookean> laws{{520.8, 2430.4}, {1041.6, 4860.8}};  ///< of labels 0 and 1
   mechanics::NamedConditions conditions;
   bool plane_strain = false;
+  bool reset = false;
+  mechanics::NamedForces forces;
+  std::vector<double> density;  ///< of each law [kg/m^3]
+  double stabilization = 0.0;
+  grid::DeformationGradient deformation_gradient = grid::DeformationGradient::incremental;
 
   grid::Grid grid() const {
     grid::Grid grid;
     grid.elements = elements;
     grid.spacing = spacing;
+    grid.origin = origin;
     grid.flat = plane_strain;
     return grid;
   }
@@ -61,6 +68,31 @@ struct Specimen {
       material_of_label[static_cast<std::int32_t>(m)] = static_cast<int>(m);
     return particles::seed(communicator, layout, partition(communicator), labels(communicator),
                            material_of_label);
+  }
+
+  mechanics::Problem problem() const {
+    mechanics::Problem problem;
+    problem.body = grid();
+    problem.laws = laws;
+    problem.conditions = conditions;
+    problem.forces = forces;
+    problem.density = density;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double per_element =
+          layout.layout == particles::Layout::gauss ? 2.0
+          : layout.layout == particles::Layout::per_element
+              ? layout.per_element
+              : static_cast<double>(voxels_per_element[d]) * layout.per_voxel;
+      problem.particle_spacing[d] = spacing[d] / per_element;
+    }
+    problem.reset = reset;
+    problem.deformation_gradient = deformation_gradient;
+    problem.stabilization = stabilization;
+    return problem;
+  }
+
+  mechanics::MovingBody moving_body(const base::Communicator& communicator) const {
+    return {communicator, partition(communicator), particles(communicator), problem()};
   }
 
   std::unique_ptr<mechanics::MomentumBalance> balance(
