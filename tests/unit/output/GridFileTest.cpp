@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "ExodusReader.hpp"
+#include "support/ExodusReader.hpp"
 #include "TemporaryFolder.hpp"
 #include "base/Error.hpp"
 #include "output/GridFile.hpp"

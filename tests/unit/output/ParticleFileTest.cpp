@@ -8,7 +8,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "ExodusReader.hpp"
+#include "support/ExodusReader.hpp"
 #include "TemporaryFolder.hpp"
 #include "base/Error.hpp"
 #include "output/ParticleFile.hpp"

@@ -1,0 +1,172 @@
+/// \file
+/// Particles that move across the grid and between ranks. Run on 1, 2 and 4 ranks. Claim V-PAR-3,
+/// docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "base/Error.hpp"
+#include "particles/Exchange.hpp"
+#include "particles/Migration.hpp"
+#include "particles/Seeding.hpp"
+
+namespace stroma::particles {
+namespace {
+
+base::Communicator all_ranks() { return base::Communicator::world(); }
+
+grid::Grid body() {
+  grid::Grid grid;
+  grid.elements = {5, 4, 6};
+  grid.spacing = {2.0, 1.5, 1.0};
+  grid.origin = {-3.0, 7.0, 0.5};
+  return grid;
+}
+
+Particles<grid::Device> seeded() {
+  const grid::Grid grid = body();
+  image::LabelVolume labels(all_ranks(), {10, 8, 12}, {1.0, 0.75, 0.5});
+  const auto partition =
+      grid::Partition::balanced(grid, all_ranks().size(), layer_weights(all_ranks(), grid, labels));
+  auto particles = seed(all_ranks(), {Layout::per_element, 1, 2}, partition, labels, {{0, 0}});
+  make_movable(all_ranks(), particles);
+  return particles;
+}
+
+/// A displacement that differs from particle to particle and carries some of them far.
+double way(std::int64_t id, int d) {
+  return 4.0 * std::sin(0.7 * static_cast<double>(id) + d) + 0.1 * d;
+}
+
+Particles<grid::Device> scattered() {
+  auto particles = seeded();
+  for (int p = 0; p < particles.count(); ++p)
+    for (int d = 0; d < 3; ++d) {
+      particles.position(p, d) += way(particles.id(p), d);
+      particles.base_displacement(p, d) = way(particles.id(p), d);
+      particles.base_gradient(p, d, 1) = static_cast<double>(particles.id(p)) + d;
+    }
+  return particles;
+}
+
+grid::Partition partition_for(const Particles<grid::Device>& particles) {
+  return balanced_partition(all_ranks(), covering_grid(all_ranks(), body(), particles), particles);
+}
+
+// Whoever sends them, they arrive whole, once, at the owner of their element, sorted by element and
+// id.
+TEST(Migration, EveryParticleArrivesWholeAtTheOwnerOfItsElement) {
+  const auto before = scattered();
+  const auto partition = partition_for(before);
+  const grid::Grid& grid = partition.grid();
+  const grid::Box box = partition.elements(all_ranks().rank());
+  const auto after = migrate(all_ranks(), partition, before);
+  EXPECT_EQ(all_ranks().sum(after.count()), all_ranks().sum(before.count()));
+  ASSERT_EQ(after.element_begin.extent(0), static_cast<std::size_t>(box.count() + 1));
+
+  const auto original = seeded();  // the same on every run: tells volume, home and place by id
+  std::int64_t ids = 0, squares = 0;
+  for (std::int64_t e = 0; e < box.count(); ++e) {
+    const grid::Index3 element = box.index(e);
+    for (int p = after.element_begin(e); p < after.element_begin(e + 1); ++p) {
+      const std::int64_t id = after.id(p);
+      ids += id;
+      squares += id * id;
+      if (p > after.element_begin(e)) {
+        EXPECT_GT(id, after.id(p - 1));
+      }
+      EXPECT_EQ(after.material(p), 0);
+      EXPECT_EQ(after.volume(p), 2.0 * 1.5 * 1.0 / 8.0);
+      for (int d = 0; d < 3; ++d) {
+        const double xi = (after.position(p, d) - grid.origin[d]) / grid.spacing[d] -
+                          static_cast<double>(element[d]);
+        EXPECT_GE(xi, -1e-8);
+        EXPECT_LT(xi, 1.0);
+        EXPECT_EQ(after.base_displacement(p, d), way(id, d));
+        EXPECT_EQ(after.base_gradient(p, d, 1), static_cast<double>(id) + d);
+        EXPECT_EQ(after.base_gradient(p, d, 0), 0.0);
+      }
+    }
+  }
+  EXPECT_EQ(after.element_begin(box.count()), after.count());
+  const std::int64_t n = all_ranks().sum(static_cast<std::int64_t>(before.count()));
+  EXPECT_EQ(all_ranks().sum(ids), n * (n - 1) / 2);
+  EXPECT_EQ(all_ranks().sum(squares), (n - 1) * n * (2 * n - 1) / 6);
+}
+
+// A particle's home is where it was seeded, also after it has moved twice.
+TEST(Migration, HomesAreKept) {
+  const auto original = seeded();
+  auto moved = scattered();
+  moved = migrate(all_ranks(), partition_for(moved), moved);
+  for (int p = 0; p < moved.count(); ++p) moved.position(p, 2) -= way(moved.id(p), 0);
+  moved = migrate(all_ranks(), partition_for(moved), moved);
+  struct Letter {
+    std::int64_t home, id;
+  };
+  std::vector<std::vector<Letter>> letters(static_cast<std::size_t>(all_ranks().size()));
+  for (int p = 0; p < moved.count(); ++p)
+    letters[static_cast<std::size_t>(home_rank(moved.home(p)))].push_back(
+        {moved.home(p), moved.id(p)});
+  std::set<int> numbers;
+  for (const Letter& letter : particles::exchange(all_ranks(), letters)) {
+    EXPECT_EQ(letter.id, original.id(home_number(letter.home)));
+    EXPECT_TRUE(numbers.insert(home_number(letter.home)).second);
+  }
+  EXPECT_EQ(numbers.size(), static_cast<std::size_t>(original.count()));
+}
+
+// The grid covers the body and nothing else, on the nodes of the body's lattice.
+TEST(Migration, TheGridFollowsTheBody) {
+  const auto at_rest = seeded();
+  grid::Grid grid = covering_grid(all_ranks(), body(), at_rest);
+  EXPECT_EQ(grid.elements, body().elements);
+  EXPECT_EQ(grid.origin, body().origin);
+
+  const std::array<double, 3> distance{7.0, -1.5,
+                                       0.5 - 2e-13};  // 3.5, -1 and, but for rounding, 0.5
+  for (int p = 0; p < at_rest.count(); ++p)
+    for (int d = 0; d < 3; ++d) at_rest.position(p, d) += distance[static_cast<std::size_t>(d)];
+  grid = covering_grid(all_ranks(), body(), at_rest);
+  EXPECT_EQ(grid.elements, (grid::Index3{6, 4, 7}));
+  EXPECT_NEAR(grid.origin[0], -3.0 + 3 * 2.0, 1e-14);
+  EXPECT_NEAR(grid.origin[1], 7.0 - 1.5, 1e-14);
+  EXPECT_NEAR(grid.origin[2], 0.5, 1e-14);
+}
+
+// A particle on a face, edge or node belongs to the upper element, also if rounding puts it below.
+TEST(Migration, FacesBelongToTheUpperElement) {
+  for (const double rounding : {0.0, -1e-12, 1e-12}) {
+    auto particles = seeded();
+    for (int p = 0; p < particles.count(); ++p) {
+      const std::array<double, 3> h{2.0, 1.5, 1.0};
+      for (int d = 0; d < 3; ++d)  // from a quarter and three quarters to a half and the upper face
+        particles.position(p, d) += 0.25 * h[static_cast<std::size_t>(d)] + rounding;
+    }
+    const auto partition = partition_for(particles);
+    EXPECT_EQ(partition.grid().elements, (grid::Index3{6, 5, 7}));
+    const auto after = migrate(all_ranks(), partition, particles);
+    const grid::Box box = partition.elements(all_ranks().rank());
+    for (std::int64_t e = 0; e < box.count(); ++e) {
+      int expected = 1;  // along each axis: a half, and the lower face; not both at the ends
+      for (int d = 0; d < 3; ++d) {
+        const bool at_end =
+            box.index(e)[d] == 0 || box.index(e)[d] == partition.grid().elements[d] - 1;
+        expected *= at_end ? 1 : 2;
+      }
+      EXPECT_EQ(after.element_begin(e + 1) - after.element_begin(e), expected);
+    }
+  }
+}
+
+// A lattice under a body that has flown apart would fill the memory.
+TEST(Migration, LostParticlesAreRefusedOnAllRanks) {
+  auto particles = seeded();
+  if (particles.count() > 0 && all_ranks().is_root()) particles.position(0, 1) = 1e9;
+  EXPECT_THROW(covering_grid(all_ranks(), body(), particles), base::RunError);
+}
+
+}  // namespace
+}  // namespace stroma::particles
