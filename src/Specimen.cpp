@@ -32,19 +32,9 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                                     material::material_of_label(p.materials.materials)),
                     {},
                     0};
-  for (std::size_t d = 0; d < 3; ++d) {
-    switch (p.particles.layout) {
-      case particles::Layout::voxel_centers:
-        specimen.particle_spacing[d] = labels.voxel_size[d] / p.particles.per_voxel;
-        break;
-      case particles::Layout::gauss:
-        specimen.particle_spacing[d] = grid.spacing[d] / 2.0;
-        break;
-      case particles::Layout::per_element:
-        specimen.particle_spacing[d] = grid.spacing[d] / p.particles.per_element;
-        break;
-    }
-  }
+  for (int d = 0; d < 3; ++d)
+    specimen.particle_spacing[static_cast<std::size_t>(d)] = particles::particle_spacing(
+        p.particles, grid, d, labels.voxel_size[static_cast<std::size_t>(d)]);
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");

@@ -10,15 +10,21 @@
 namespace stroma::particles {
 namespace {
 
+/// Points along axis d in each voxel (Voxel Centers) or element (the others).
+int points_along(const ParticleParameters& parameters, const grid::Grid& grid, int d) {
+  if (parameters.layout == Layout::gauss) return 2;
+  if (grid.flat && d == 2) return 1;
+  return parameters.layout == Layout::voxel_centers ? parameters.per_voxel : parameters.per_element;
+}
+
 /// Natural coordinates (0 to 1) of the points of one element along one axis; equal shares.
-std::vector<double> points_in_element(const ParticleParameters& parameters) {
+std::vector<double> points_in_element(const ParticleParameters& parameters, int count) {
   if (parameters.layout == Layout::gauss) {
     const double offset = 0.5 / std::sqrt(3.0);
     return {0.5 - offset, 0.5 + offset};
   }
   std::vector<double> points;
-  for (int n = 0; n < parameters.per_element; ++n)
-    points.push_back((n + 0.5) / parameters.per_element);
+  for (int n = 0; n < count; ++n) points.push_back((n + 0.5) / count);
   return points;
 }
 
@@ -38,12 +44,19 @@ deck::Section<ParticleParameters> particles_section() {
        {"Gauss", Layout::gauss},
        {"Per Element", Layout::per_element}},
       "Voxel Centers: Per Voxel^3 particles in each voxel; Gauss: the 2 x 2 x 2 Gauss points of "
-      "each element; Per Element: Per Element^3 equally spaced particles in each element.");
+      "each element; Per Element: Per Element^3 equally spaced particles in each element. In plane "
+      "strain, Voxel Centers and Per Element have one particle through z: nothing varies there.");
   section.optional("Per Voxel", &ParticleParameters::per_voxel, deck::between(1, 16),
                    "Particles per voxel and direction, for Layout = Voxel Centers.");
   section.optional("Per Element", &ParticleParameters::per_element, deck::between(1, 64),
                    "Particles per element and direction, for Layout = Per Element.");
   return section;
+}
+
+double particle_spacing(const ParticleParameters& parameters, const grid::Grid& grid, int d,
+                        double voxel_size) {
+  return (parameters.layout == Layout::voxel_centers ? voxel_size : grid.spacing[d]) /
+         points_along(parameters, grid, d);
 }
 
 AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& grid, int d,
@@ -58,7 +71,7 @@ AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& g
     axis.voxel.push_back(std::clamp<std::int64_t>(voxel, 0, voxels - 1));
   };
   if (parameters.layout == Layout::voxel_centers) {
-    const int n = parameters.per_voxel;
+    const int n = points_along(parameters, grid, d);
     axis.total = voxels * n;
     const auto distance = [&](std::int64_t point) {
       return (static_cast<double>(point) + 0.5) / n * voxel_size;
@@ -77,7 +90,8 @@ AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& g
         add(distance(point), voxel_size / n);
     }
   } else {
-    const std::vector<double> points = points_in_element(parameters);
+    const std::vector<double> points =
+        points_in_element(parameters, points_along(parameters, grid, d));
     const auto n = static_cast<std::int64_t>(points.size());
     axis.total = grid.elements[d] * n;
     axis.first = begin * n;

@@ -31,6 +31,10 @@ struct ParticleParameters {
 
 deck::Section<ParticleParameters> particles_section();
 
+/// Distance of neighbouring particles along axis d [um]; the mean one, for Gauss points.
+double particle_spacing(const ParticleParameters& parameters, const grid::Grid& grid, int d,
+                        double voxel_size);
+
 /// Where particles lie along one axis. Every layout is a tensor product of three of these, kept for
 /// a range of elements only.
 struct AxisLayout {

@@ -77,13 +77,10 @@ struct Specimen {
     problem.conditions = conditions;
     problem.forces = forces;
     problem.density = density;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double per_element =
-          layout.layout == particles::Layout::gauss ? 2.0
-          : layout.layout == particles::Layout::per_element
-              ? layout.per_element
-              : static_cast<double>(voxels_per_element[d]) * layout.per_voxel;
-      problem.particle_spacing[d] = spacing[d] / per_element;
+    for (int d = 0; d < 3; ++d) {
+      const auto i = static_cast<std::size_t>(d);
+      problem.particle_spacing[i] = particles::particle_spacing(
+          layout, problem.body, d, spacing[i] / static_cast<double>(voxels_per_element[i]));
     }
     problem.reset = reset;
     problem.deformation_gradient = deformation_gradient;
