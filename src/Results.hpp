@@ -43,6 +43,7 @@ class Results {
                                   const transfer::ParticleFields<grid::Device>& fields) const;
   void write_particles(const transfer::ParticleFields<grid::Device>& fields);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  void print_bounds() const;
   void print_table(const std::vector<output::MovingSupport>& moving, double seconds) const;
 
   base::Communicator communicator_;
