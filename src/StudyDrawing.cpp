@@ -132,9 +132,8 @@ void draw_stresses(const base::Communicator& communicator, const StudyPlan& plan
   int count = static_cast<int>(panels.size());
   communicator.broadcast(count);
   if (count == 0) return log.note("von_mises.png was not drawn: no member has a map to show");
-  const std::string common = labels_of(plan, members, members.front(), true);
   const std::string failure = output::draw_stress_panels(
-      communicator, folder, plan.title + (common.empty() ? "" : ": " + common), panels);
+      communicator, folder, plan.title, labels_of(plan, members, members.front(), true), panels);
   if (!failure.empty()) log.note(failure);
 }
 

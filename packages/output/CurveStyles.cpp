@@ -85,26 +85,32 @@ std::size_t varied(const std::vector<CurveThing>& things) {
                     [](const CurveThing& thing) { return thing.alternatives.size() > 1; }));
 }
 
-std::string key_of(std::size_t rows) {
+/// gnuplot takes letters for a third wider than they are on the average; columns would be too wide.
+std::string key_of(std::size_t rows, std::size_t longest) {
   return format(
-      "set key below vertical left Left reverse maxrows %zu samplen 3 width 2 title ' '\n", rows);
+      "set key below vertical left Left reverse maxrows %zu samplen 3 width %d title ' '\n", rows,
+      3 - static_cast<int>(longest / 4));
 }
 
-CurveStyles listed(const std::vector<CurveName>& curves) {
+/// A line of the legend for each curve. Many values of one thing are in order: so are their
+/// colours.
+CurveStyles listed(const std::vector<CurveName>& curves, bool is_one_thing) {
   CurveStyles styles;
   std::size_t longest = 1;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     longest = std::max(longest, letters_of(curves[c].name));
-    styles.style.push_back(format("lw 2 dt %s pt %d ps 1 lc rgb '%s'",
-                                  dashes[c / 6 % dashes.size()], points[c % points.size()],
-                                  line_colour(c)));
+    const bool in_order = is_one_thing && curves.size() > 6;
+    const std::string hue = in_order ? colour(c, curves.size()) : line_colour(c);
+    const std::size_t dash = in_order ? 0 : c / 6 % dashes.size();
+    styles.style.push_back(format("lw 2 dt %s pt %d ps 1 lc rgb '%s'", dashes[dash],
+                                  points[c % points.size()], hue.c_str()));
     styles.title.push_back("title " + gnuplot_quoted(curves[c].name));
   }
   styles.width = std::max(narrowest, static_cast<int>(longest * letter + sample + 100));
   const std::size_t columns = std::max<std::size_t>(
       1, static_cast<std::size_t>(styles.width - 100) / (longest * letter + sample));
   const std::size_t rows = std::max<std::size_t>(1, (curves.size() + columns - 1) / columns);
-  styles.key = key_of(rows);
+  styles.key = key_of(rows, longest);
   styles.key_lines = static_cast<int>(rows);
   return styles;
 }
@@ -114,7 +120,7 @@ CurveStyles listed(const std::vector<CurveName>& curves) {
 CurveStyles curve_styles(std::vector<CurveThing> things, std::vector<CurveName> curves) {
   while (varied(things) > 3) merge_two(things, curves);
   const std::vector<Part> used = roles(things);
-  if (used.size() < 2) return listed(curves);
+  if (used.size() < 2) return listed(curves, used.size() == 1);
 
   CurveStyles styles;
   const bool has_points = used.size() > 2;
@@ -150,7 +156,7 @@ CurveStyles curve_styles(std::vector<CurveThing> things, std::vector<CurveName> 
     }
     for (std::size_t n = alternatives.size() + 1; n < rows; ++n) styles.legend += blank("' '");
   }
-  styles.key = key_of(rows);
+  styles.key = key_of(rows, longest);
   styles.key_lines = static_cast<int>(rows);
   styles.width =
       std::max(narrowest, static_cast<int>(used.size() * (longest * letter + sample) + 100));

@@ -99,15 +99,17 @@ Layout layout_of(const Window& window, std::size_t panels) {
   return best;
 }
 
-/// (a), (b), ... (z), (27), ...
-std::string mark_of(std::size_t panel) {
+/// (a), (b), ... (z), (27), ...; nothing where there is one panel.
+std::string mark_of(std::size_t panel, std::size_t panels) {
+  if (panels == 1) return "";
   return panel < 26 ? format("(%c) ", static_cast<char>('a' + panel)) : format("(%zu) ", panel + 1);
 }
 
 }  // namespace
 
 std::string draw_stress_panels(const base::Communicator& communicator, const std::string& folder,
-                               const std::string& title, const std::vector<StressPanel>& panels) {
+                               const std::string& title, const std::string& common,
+                               const std::vector<StressPanel>& panels) {
   const char* const name = "von_mises";
   if (!communicator.is_root()) return draw_picture(communicator, folder, name, "", "raw", "");
 
@@ -118,7 +120,7 @@ std::string draw_stress_panels(const base::Communicator& communicator, const std
   std::vector<float> all;
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const auto letters = static_cast<std::size_t>(layout.panel_width / 8.6);
-    titles.push_back(wrapped(mark_of(p) + panels[p].title, letters));
+    titles.push_back(wrapped(mark_of(p, panels.size()) + panels[p].title, letters));
     title_lines = std::max(title_lines, titles.back().size());
     all.insert(all.end(), panels[p].raster.value.begin(), panels[p].raster.value.end());
   }
@@ -127,6 +129,7 @@ std::string draw_stress_panels(const base::Communicator& communicator, const std
 
   const double width = std::round(layout.width()), height = std::round(layout.height());
   std::string heading = title + "\nvon Mises stress at full load";
+  if (!common.empty()) heading += "; " + common;
   if (scale.largest > scale.end) heading += format("; largest value %.3g Pa", scale.largest);
   std::string script =
       gnuplot_head(name, static_cast<int>(width), static_cast<int>(height), heading);

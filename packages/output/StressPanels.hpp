@@ -20,8 +20,10 @@ struct StressPanel {
 /// same length on paper, and with one colour bar. The colour scale is that of colour_scale() over
 /// all pixels together. Its numbers, one raster after the other, are pictures/von_mises.raw.
 /// Collective; the panels are rank 0's, and at least one.
+/// \param common  what the panels have in common, for the picture's second line; may be empty
 /// \return  as draw_picture of PictureFile.hpp
 std::string draw_stress_panels(const base::Communicator& communicator, const std::string& folder,
-                               const std::string& title, const std::vector<StressPanel>& panels);
+                               const std::string& title, const std::string& common,
+                               const std::vector<StressPanel>& panels);
 
 }  // namespace stroma::output
