@@ -1,6 +1,7 @@
 #include "StudySummary.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/Log.hpp"
 
@@ -18,6 +19,11 @@ std::size_t width_of(const std::string& text) {
 
 std::string padded(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, width_of(text)), ' ');
+}
+
+/// Without a sign in front of what rounds to nothing.
+std::string percent(double value) {
+  return format("%.3f %%", std::abs(value) < 5e-6 ? 0.0 : 100.0 * value);
 }
 
 }  // namespace
@@ -48,7 +54,7 @@ std::vector<std::string> study_summary(const StudyPlan& plan,
     line +=
         format("  %14s", records[m] ? format("%.8g pN", records[m]->force.back()).c_str() : "-");
     for (const std::optional<double>& value : comparison.rows[m])
-      line += format("  %19s", value ? format("%.3f %%", 100.0 * *value).c_str() : "-");
+      line += format("  %19s", value ? percent(*value).c_str() : "-");
     lines.push_back(line);
   }
   return lines;

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "base/Log.hpp"
 
@@ -53,8 +54,9 @@ std::string gnuplot_quoted(const std::string& text) {
 
 std::string gnuplot_head(const std::string& name, int width, int height, const std::string& title) {
   const auto line_break = title.find('\n');
-  const std::string first = title.substr(0, line_break);
-  const std::string rest = line_break == std::string::npos ? "" : title.substr(line_break + 1);
+  std::string first = title.substr(0, line_break);
+  std::string rest = line_break == std::string::npos ? "" : title.substr(line_break + 1);
+  if (first.empty()) std::swap(first, rest);  // the deck has no title
   std::string script;
   script += "# Draws ../" + name + ".png. Change it and run: gnuplot " + name + ".gp\n";
   script += base::format(

@@ -138,7 +138,7 @@ std::string draw_stress_panels(const base::Communicator& communicator, const std
   script += format("set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n", window.low[0],
                    window.high[0], window.low[1], window.high[1]);
   script += format("set xtics %g\nset ytics %g\nset tics scale 0.6\n",
-                   round_step(window.width(), std::max(layout.panel_width / 90.0, 2.0)),
+                   round_step(window.width(), std::max(layout.panel_width / 72.0, 2.0)),
                    round_step(window.height(), std::max(layout.panel_height / 70.0, 2.0)));
   script +=
       "# von_mises.raw: the panels' rasters one after the other, 32-bit floats of this "
