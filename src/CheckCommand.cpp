@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "BoundsTable.hpp"
 #include "MeanWidth.hpp"
 #include "Specimen.hpp"
 #include "base/Error.hpp"
@@ -58,6 +59,13 @@ void check_image(const base::Communicator& communicator, const Deck& deck,
     }
   }
   if (fractions.count(-1) > 0) log.line(format("fraction    empty (-1): %.6f", fractions.at(-1)));
+  std::vector<double> shares;
+  for (const auto& [name, material] : deck.parameters.materials.materials)
+    shares.push_back(fractions.count(material.label) > 0 ? fractions.at(material.label) : 0.0);
+  for (const std::string& line :
+       bounds_table(deck.parameters.materials.materials, shares, deck.parameters.grid.plane_strain,
+                    fractions.count(-1) > 0))
+    log.line(line);
   const image::Objects objects(communicator, labels, image::Connectivity::corners);
   log.line(format("objects     %lld (26-connected), the largest of %lld voxels",
                   static_cast<long long>(objects.count()),

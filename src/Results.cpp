@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "BoundsTable.hpp"
 #include "HomeOrder.hpp"
 #include "MovingSupports.hpp"
 #include "base/Stage.hpp"
@@ -169,6 +170,21 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
   print_table(moving, seconds());
 }
 
+void Results::print_bounds() const {
+  std::vector<double> volumes;  // at load 0: of the undeformed body
+  double solid = 0.0;
+  for (const auto& material : rows_.front().materials) {
+    volumes.push_back(material.volume);
+    solid += material.volume;
+  }
+  const grid::Grid& grid = specimen_->partition.grid();
+  const double box = grid.length(0) * grid.length(1) * grid.length(2);
+  const auto lines = bounds_table(deck_->parameters.materials.materials, volumes,
+                                  deck_->parameters.grid.plane_strain, solid < box * (1.0 - 1e-9));
+  if (!lines.empty()) log_->line("");
+  for (const std::string& line : lines) log_->line(line);
+}
+
 void Results::print_table(const std::vector<output::MovingSupport>& moving, double seconds) const {
   const auto largest_component = [](const std::array<double, 3>& v) {
     std::size_t largest = 0;
@@ -195,6 +211,7 @@ void Results::print_table(const std::vector<output::MovingSupport>& moving, doub
                                          .c_str());
     log_->line(line);
   }
+  print_bounds();
   std::string stages = "\ntime";
   for (const auto& [stage, spent] : base::stage_seconds(communicator_))
     stages += base::format("  %s %.2f s", stage.c_str(), spent);

@@ -45,6 +45,7 @@ class Results {
   void write_particles(const transfer::ParticleFields<grid::Device>& fields);
   void open_grid_file(const mechanics::MomentumBalance& balance);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  void print_bounds() const;
   void print_table(const std::vector<output::MovingSupport>& moving, double seconds) const;
 
   base::Communicator communicator_;

@@ -8,6 +8,7 @@
 
 #include "StudyMembers.hpp"
 #include "deck/Findings.hpp"
+#include "deck/Nearest.hpp"
 
 namespace stroma {
 namespace {
@@ -101,9 +102,17 @@ void read_cases(const List& cases, std::vector<Variation>& variations, deck::Fin
     deck::Findings inside = findings.inside(list.name, &list);
     refuse_parameters(list, inside);
     if (list.lists.empty() && list.parameters.empty()) inside.add("", "has no case" + layout);
-    static const std::set<std::string> columns{
-        "member",      "status", "load", "strain_energy", "newton_iterations", "linear_iterations",
-        "wall_seconds"};
+    static const std::set<std::string> columns{"member",
+                                               "status",
+                                               "load",
+                                               "strain_energy",
+                                               "newton_iterations",
+                                               "linear_iterations",
+                                               "wall_seconds",
+                                               "gain",
+                                               "force_departure_rms",
+                                               "force_departure_end",
+                                               "secant_departure"};
     if (columns.count(list.name) > 0)
       inside.add("", "the table has a column of this name; choose another");
     Variation variation{list.name, {}};
@@ -179,6 +188,76 @@ void check_variations(const std::vector<Variation>& variations, std::size_t case
   }
 }
 
+/// Finds the thing and the alternative that members are compared with.
+std::optional<Pairing> find_pairing(const std::optional<PairingParameters>& wanted,
+                                    const std::string& section,
+                                    const std::vector<Variation>& variations,
+                                    deck::Findings& findings) {
+  if (!wanted) return std::nullopt;
+  std::vector<std::string> things, references;
+  for (const Variation& variation : variations) things.push_back(variation.name);
+  const auto thing = std::find(things.begin(), things.end(), wanted->thing);
+  if (thing == things.end()) {
+    findings.add(section + "|Thing", "\"" + wanted->thing + "\" does not vary; " +
+                                         deck::suggestion(wanted->thing, things));
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(thing - things.begin());
+  for (const Choice& choice : variations[index].choices) {
+    if (choice.value == wanted->reference || choice.label == wanted->reference)
+      return Pairing{index, choice.label};
+    references.push_back(choice.value);
+  }
+  findings.add(section + "|Reference", "\"" + wanted->reference + "\" is none of what " + *thing +
+                                           " may be; " +
+                                           deck::suggestion(wanted->reference, references));
+  return std::nullopt;
+}
+
+/// What to tell about a name that is no member's. There may be hundreds: not all are listed.
+std::string member_suggestion(const std::string& name, const std::vector<std::string>& folders) {
+  const bool is_near = !deck::nearest(name, folders).empty();
+  if (is_near || folders.size() <= 6) return deck::suggestion(name, folders);
+  return "there are " + std::to_string(folders.size()) + ", such as \"" + folders.front() +
+         "\" and \"" + folders.back() + "\"";
+}
+
+/// The members of a picture, by their names or the names of their folders.
+std::vector<std::size_t> find_members(const std::vector<std::string>& wanted,
+                                      const std::vector<Variation>& variations,
+                                      deck::Findings& findings) {
+  if (wanted.empty()) return {};
+  std::vector<std::size_t> found;
+  std::vector<std::string> folders;
+  const std::vector<Member> members = members_of(variations);
+  for (const Member& member : members) folders.push_back(member.folder);
+  for (const std::string& name : wanted) {
+    const auto member = std::find_if(members.begin(), members.end(), [&](const Member& one) {
+      return one.folder == name || one.name == name;
+    });
+    const auto index = static_cast<std::size_t>(member - members.begin());
+    if (member == members.end())
+      findings.add("Plot|Von Mises Members",
+                   "\"" + name + "\" is no member; " + member_suggestion(name, folders));
+    else if (std::find(found.begin(), found.end(), index) != found.end())
+      findings.add("Plot|Von Mises Members", "\"" + name + "\" is there twice");
+    else
+      found.push_back(index);
+  }
+  return found;
+}
+
+deck::Section<PairingParameters> pairing_section(const std::string& name,
+                                                 const std::string& meaning) {
+  deck::Section<PairingParameters> section(name, meaning);
+  section.required("Thing", &PairingParameters::thing, deck::not_empty(),
+                   "The name of a sublist of Cases, or the path of a parameter of Vary.");
+  section.required("Reference", &PairingParameters::reference, deck::not_empty(),
+                   "One of its cases, or one of its values: members with it are the references; "
+                   "each other member is held against the one that is the same but for this.");
+  return section;
+}
+
 }  // namespace
 
 deck::Section<StudyParameters> study_section() {
@@ -193,6 +272,11 @@ deck::Section<StudyParameters> study_section() {
                 "size 0 and the observed order.");
   plot.optional("Support", &StudyPlotParameters::support, deck::any(),
                 "The boundary condition whose force is drawn; else the first one that moves.");
+  plot.optional("Von Mises Members", &StudyPlotParameters::von_mises_members,
+                deck::text_that("the name of a member's folder, such as 8_px__with_vessels",
+                                [](const std::string&) { return true; }),
+                "Draw von_mises.png: the von Mises stress of these members side by side, on one "
+                "scale of colours and one of lengths. Named by their folders.");
 
   deck::Section<StudyParameters> section(
       "Study",
@@ -212,12 +296,21 @@ deck::Section<StudyParameters> study_section() {
   section.free_list(
       "Vary", &StudyParameters::vary,
       "Parameters that change alone: the path of each (Materials|vessel|Shear Modulus "
-      "[Pa]) with a list of its values. For values that are arrays, or true and false, "
-      "use Cases.");
+      "[Pa]) with a list of its values. For values that are arrays themselves, use "
+      "Cases.");
   section.optional(
       "Also Tabulate", &StudyParameters::also_tabulate, deck::any(),
       "Columns of history.csv whose value at full load study.csv shall hold too, such as "
       "bottom.reaction_x.");
+  section.section(
+      pairing_section("Compare",
+                      "Adds the columns force_departure_rms and force_departure_end: how far a "
+                      "member's force departs from that of its reference."),
+      &StudyParameters::compare);
+  section.section(pairing_section("Gain",
+                                  "Adds the column gain: a member's force at full load, divided by "
+                                  "that of its reference, less 1."),
+                  &StudyParameters::gain);
   section.section(plot, &StudyParameters::plot);
   return section;
 }
@@ -242,8 +335,14 @@ Study read_study(const std::string& path) {
   if (variations.empty() && findings.empty())
     findings.add("", "nothing is varied; give Cases, or Vary, or both");
   check_variations(variations, case_count, findings);
+  findings.throw_if_any();  // what refers to the variations makes sense only now
+
+  const auto compare = find_pairing(parameters.compare, "Compare", variations, findings);
+  const auto gain = find_pairing(parameters.gain, "Gain", variations, findings);
+  const auto pictured = find_members(parameters.plot.von_mises_members, variations, findings);
   findings.throw_if_any();
-  return {std::move(document), std::move(parameters), std::move(variations)};
+  return {
+      std::move(document), std::move(parameters), std::move(variations), compare, gain, pictured};
 }
 
 }  // namespace stroma

@@ -4,6 +4,8 @@
 /// The deck of a study: a base deck, and what its members change in it.
 
 #include <Teuchos_RCP.hpp>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,13 @@ struct StudyPlotParameters {
   bool force_against_strain = true;
   bool force_against_element_size = true;
   std::string support;  ///< empty: the first that moves
+  std::vector<std::string> von_mises_members;
+};
+
+/// What members are held against: those with one alternative of one of the things that vary.
+struct PairingParameters {
+  std::string thing;
+  std::string reference;
 };
 
 struct StudyParameters {
@@ -23,6 +32,7 @@ struct StudyParameters {
   std::string base_deck;
   Teuchos::RCP<Teuchos::ParameterList> cases, vary;
   std::vector<std::string> also_tabulate;
+  std::optional<PairingParameters> compare, gain;
   StudyPlotParameters plot;
 };
 
@@ -48,10 +58,18 @@ struct Variation {
   std::vector<Choice> choices;
 };
 
+/// PairingParameters, found among the variations.
+struct Pairing {
+  std::size_t variation = 0;
+  std::string label;  ///< of the reference's Choice
+};
+
 struct Study {
   deck::Document document;
   StudyParameters parameters;
   std::vector<Variation> variations;  ///< Cases in the order of the deck, then Vary
+  std::optional<Pairing> compare, gain;
+  std::vector<std::size_t> von_mises_members;  ///< indices into members_of(variations)
 };
 
 /// Reads and checks a study deck, but for what only the base deck can tell.

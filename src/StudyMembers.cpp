@@ -23,7 +23,8 @@ std::string folder_name(const std::vector<std::string>& labels) {
 bool is_reserved(const std::string& folder) {
   static const std::set<std::string> names{"pictures",         "study.csv",
                                            "convergence.csv",  "log.txt",
-                                           "force_strain.png", "force_element_size.png"};
+                                           "force_strain.png", "force_element_size.png",
+                                           "von_mises.png"};
   return names.count(folder) > 0;
 }
 

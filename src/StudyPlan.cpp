@@ -222,4 +222,11 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
   return std::move(*plan);
 }
 
+const output::MovingSupport* drawn_support(const StudyPlan& plan, std::size_t member) {
+  const std::string& wanted = plan.study.parameters.plot.support;
+  for (const auto& support : plan.facts[member].moving)
+    if (wanted.empty() || support.name == wanted) return &support;
+  return nullptr;
+}
+
 }  // namespace stroma

@@ -33,4 +33,8 @@ struct StudyPlan {
 StudyPlan plan_study(const base::Communicator& communicator, const std::string& study_deck,
                      const std::string& output_folder);
 
+/// The support whose force is drawn and compared: Plot|Support, or else the first that moves; null
+/// where the member has none.
+const output::MovingSupport* drawn_support(const StudyPlan& plan, std::size_t member);
+
 }  // namespace stroma

@@ -65,7 +65,7 @@ std::vector<double> force_along(const output::MovingSupport& support,
 
 std::string study_table(const std::vector<Variation>& variations,
                         const std::vector<Member>& members, const std::vector<MemberFacts>& facts,
-                        const std::vector<MemberResult>& results,
+                        const std::vector<MemberResult>& results, const ComparisonTable& comparison,
                         const std::vector<std::string>& also) {
   std::vector<std::string> supports, materials;
   for (const MemberFacts& member : facts) {
@@ -76,6 +76,7 @@ std::string study_table(const std::vector<Variation>& variations,
   for (const Variation& variation : variations) header.push_back(variation.name);
   header.insert(header.end(), {"status", "load"});
   for (const std::string& name : supports) header.push_back(name + ".force");
+  header.insert(header.end(), comparison.columns.begin(), comparison.columns.end());
   header.push_back("strain_energy");
   for (const std::string& name : materials) header.push_back(name + ".von_mises_mean");
   header.insert(header.end(), {"newton_iterations", "linear_iterations", "wall_seconds"});
@@ -99,6 +100,8 @@ std::string study_table(const std::vector<Variation>& variations,
       const bool has_force = at_full_load && support != moving.end();
       row.push_back(has_force ? digits(force_along(*support, history).back()) : "");
     }
+    for (const std::optional<double>& value : comparison.rows[m])
+      row.push_back(value ? digits(*value) : "");
     row.push_back(figure("strain_energy"));
     for (const std::string& name : materials) row.push_back(figure(name + ".von_mises_mean"));
     row.insert(row.end(), {sum_of(history, "newton_iterations"),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "Richardson.hpp"
+#include "StudyComparison.hpp"
 #include "StudyMembers.hpp"
 #include "output/HistoryTable.hpp"
 #include "output/Pictures.hpp"
@@ -36,15 +37,15 @@ std::vector<double> force_along(const output::MovingSupport& support,
 /// study.csv: a header, and a row for each member:
 ///
 ///     member, each variation, status (done, failed, waiting), load (reached), NAME.force of each
-///     moving support (along its displacement, pN), strain_energy [aJ], NAME.von_mises_mean of each
-///     material [Pa], newton_iterations and linear_iterations (of all steps), wall_seconds, and
-///     what the deck asks for besides
+///     moving support (along its displacement, pN), the columns of the comparison, strain_energy
+///     [aJ], NAME.von_mises_mean of each material [Pa], newton_iterations and linear_iterations (of
+///     all steps), wall_seconds, and what the deck asks for besides
 ///
 /// Forces, energy and means are those at full load, 17 digits; they are empty for a member that has
-/// not come to it, or has no such support, material or column.
+/// not come to it, or has no such support, material, column or reference.
 std::string study_table(const std::vector<Variation>& variations,
                         const std::vector<Member>& members, const std::vector<MemberFacts>& facts,
-                        const std::vector<MemberResult>& results,
+                        const std::vector<MemberResult>& results, const ComparisonTable& comparison,
                         const std::vector<std::string>& also);
 
 /// The force at full load of members that differ in nothing but the size of their elements.

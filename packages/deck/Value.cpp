@@ -154,6 +154,18 @@ Interpretation read_array(const std::vector<Entry>& entries, const ValueType& ty
   return {Value(std::move(contents)), ""};
 }
 
+/// A list of true and false is held as the words themselves: Teuchos has no such array.
+Interpretation read_booleans(const std::vector<Entry>& entries) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    bool content = false;
+    const std::string problem = read_entry(entries[i], Scalar::boolean, content);
+    if (!problem.empty()) return {std::nullopt, "entry " + std::to_string(i + 1) + ": " + problem};
+    words.emplace_back(content ? "true" : "false");
+  }
+  return {Value(std::move(words)), ""};
+}
+
 Interpretation read_scalar(const Entry& entry, const ValueType& type) {
   switch (type.scalar) {
     case Scalar::boolean:
@@ -172,7 +184,7 @@ Interpretation read_scalar(const Entry& entry, const ValueType& type) {
 Interpretation read_array(const std::vector<Entry>& entries, const ValueType& type) {
   switch (type.scalar) {
     case Scalar::boolean:
-      return {std::nullopt, "a list of true and false is not supported"};
+      return read_booleans(entries);
     case Scalar::integer:
     case Scalar::long_integer:
       return read_array<std::int64_t>(entries, type);
@@ -196,6 +208,7 @@ const NamedType named_types[] = {
     {"long long", {Scalar::long_integer, false, 0}},
     {"double", {Scalar::number, false, 0}},
     {"string", {Scalar::text, false, 0}},
+    {"Array(bool)", {Scalar::boolean, true, 0}},
     {"Array(int)", {Scalar::integer, true, 0}},
     {"Array(long long)", {Scalar::long_integer, true, 0}},
     {"Array(double)", {Scalar::number, true, 0}},

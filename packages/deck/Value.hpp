@@ -41,7 +41,8 @@ struct Interpretation {
 Interpretation interpret(const tree::Parameter& parameter, const ValueType& type);
 
 /// The same when nothing but the text says what the type is: int, long long, double, bool, string
-/// or an array of one of them, as XML declares or as YAML looks like.
+/// or an array of one of them, as XML declares or as YAML looks like. An array of bool becomes its
+/// words, "true" and "false".
 Interpretation interpret_freely(const tree::Parameter& parameter, ValueType& type);
 
 /// Name of the type in XML, e.g. Array(double).

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <utility>
 
 #include "base/Log.hpp"
 
@@ -17,6 +20,11 @@ extern char** environ;
 
 namespace stroma::output {
 namespace {
+
+const char* const viridis[] = {"#440154", "#481567", "#482677", "#453781", "#404788",
+                               "#39568c", "#33638d", "#2d708e", "#287d8e", "#238a8d",
+                               "#1f968b", "#20a387", "#29af7f", "#3cbb75", "#55c667",
+                               "#73d055", "#95d840", "#b8de29", "#dce319", "#fde725"};
 
 /// The first line that tells something in what gnuplot printed.
 std::string first_complaint(const std::string& path) {
@@ -46,8 +54,9 @@ std::string gnuplot_quoted(const std::string& text) {
 
 std::string gnuplot_head(const std::string& name, int width, int height, const std::string& title) {
   const auto line_break = title.find('\n');
-  const std::string first = title.substr(0, line_break);
-  const std::string rest = line_break == std::string::npos ? "" : title.substr(line_break + 1);
+  std::string first = title.substr(0, line_break);
+  std::string rest = line_break == std::string::npos ? "" : title.substr(line_break + 1);
+  if (first.empty()) std::swap(first, rest);  // the deck has no title
   std::string script;
   script += "# Draws ../" + name + ".png. Change it and run: gnuplot " + name + ".gp\n";
   script += base::format(
@@ -72,15 +81,16 @@ std::string gnuplot_head(const std::string& name, int width, int height, const s
 }
 
 std::string viridis_palette() {
-  const char* colours[] = {"#440154", "#481567", "#482677", "#453781", "#404788",
-                           "#39568c", "#33638d", "#2d708e", "#287d8e", "#238a8d",
-                           "#1f968b", "#20a387", "#29af7f", "#3cbb75", "#55c667",
-                           "#73d055", "#95d840", "#b8de29", "#dce319", "#fde725"};
   std::string script = "set palette defined (";
-  for (std::size_t i = 0; i < std::size(colours); ++i) {
-    script += base::format("%s%zu '%s'", i == 0 ? "" : ", ", i, colours[i]);
+  for (std::size_t i = 0; i < std::size(viridis); ++i) {
+    script += base::format("%s%zu '%s'", i == 0 ? "" : ", ", i, viridis[i]);
   }
   return script + ")\n";
+}
+
+std::string viridis_colour(double place) {
+  const double last = static_cast<double>(std::size(viridis) - 1);
+  return viridis[static_cast<std::size_t>(std::lround(last * std::clamp(place, 0.0, 1.0)))];
 }
 
 std::string run_gnuplot(const std::string& folder, const std::string& script) {

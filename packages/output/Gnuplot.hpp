@@ -15,6 +15,9 @@ std::string gnuplot_head(const std::string& name, int width, int height, const s
 /// matplotlib, public domain), by 20 of its colours.
 std::string viridis_palette();
 
+/// One of its colours, "#rrggbb": 0 the darkest, 1 the lightest.
+std::string viridis_colour(double place);
+
 /// A text as a gnuplot string.
 std::string gnuplot_quoted(const std::string& text);
 

@@ -9,6 +9,7 @@
 #include "base/Log.hpp"
 #include "output/Gnuplot.hpp"
 #include "output/PictureFile.hpp"
+#include "output/RasterPlot.hpp"
 #include "output/SliceRaster.hpp"
 #include "tensor/Tensor3.hpp"
 
@@ -16,8 +17,6 @@ namespace stroma::output {
 namespace {
 
 using base::format;
-
-constexpr const char* micrometre = "µm";
 
 /// Width and height of the layer at load 0, over all ranks.
 std::array<double, 2> extent_of(const base::Communicator& communicator,
@@ -34,10 +33,6 @@ std::array<double, 2> extent_of(const base::Communicator& communicator,
         std::max(0.0, communicator.max(high) - communicator.min(low));
   }
   return extent;
-}
-
-std::string bytes(const std::vector<float>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
 /// Where things stand on a raster's picture, in pixels from its lower left corner: the plot, true
@@ -63,16 +58,6 @@ PictureLayout layout_of(const Raster& raster) {
   layout.width = std::round(110.0 + room + 220.0);
   layout.height = std::round(80.0 + layout.bar_height + 110.0);
   return layout;
-}
-
-/// A round step that divides a length into at most so many parts.
-double round_step(double length, double parts) {
-  const double step = length / std::max(parts, 1.0);
-  const double power = std::pow(10.0, std::floor(std::log10(step)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= step * (1.0 - 1e-9)) return factor * power;
-  }
-  return 10.0 * power;
 }
 
 /// The part of a script that a raster's pictures share: size, title, axes, aspect.
@@ -102,37 +87,14 @@ std::string raster_script(const Raster& raster, const PictureLayout& layout,
   return script;
 }
 
-/// The plot command of a raster in NAME.raw: 32-bit floats, x fastest from the lower left; NaN:
-/// empty.
+/// The plot command of a raster in NAME.raw.
 std::string raster_plot(const Raster& raster, const std::string& name) {
   return format(
-      "# %s.raw: %d x %d pixels, 32-bit floats of this machine's byte order, x fastest, from the "
-      "lower\n"
-      "# left; NaN where there is no particle.\n"
-      "plot '%s.raw' binary array=(%d,%d) format='%%float' origin=(%.10g,%.10g) dx=%.10g dy=%.10g "
-      "with image notitle\n",
-      name.c_str(), raster.columns, raster.rows, name.c_str(), raster.columns, raster.rows,
-      raster.first[0], raster.first[1], raster.pixel[0], raster.pixel[1]);
-}
-
-struct ColourScale {
-  double end = 1.0;      ///< its upper end
-  double largest = 0.0;  ///< of the values; above the end when rare peaks are cut off
-};
-
-/// The scale ends at the largest value, unless less than 0.5 % of the pixels lie above two thirds
-/// of it.
-ColourScale colour_scale(std::vector<float> values) {
-  values.erase(
-      std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }),
-      values.end());
-  if (values.empty()) return {};
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.995 * (values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  const double common = *place;
-  const double largest = *std::max_element(place, values.end());
-  if (largest <= 0.0) return {};
-  return {(common > 0.0 && largest > 1.5 * common) ? common : largest, largest};
+             "# %s.raw: %d x %d pixels, 32-bit floats of this machine's byte order, x fastest, "
+             "from "
+             "the lower\n# left; NaN where there is no particle.\nplot ",
+             name.c_str(), raster.columns, raster.rows) +
+         raster_clause(raster, name) + "\n";
 }
 
 /// Material colours: a pale first one for what surrounds, then ones that the colour-blind can tell.
@@ -176,7 +138,7 @@ std::string Pictures::draw_materials(const ParticleSet& particles,
   script += format(")\nset palette maxcolors %zu\nset cbrange [-0.5:%zu-0.5]\n", count, count);
   script += "set cbtics scale 0 (" + names + ")\n";
   script += raster_plot(raster, "vessels");
-  return draw("vessels", bytes(raster.value), "raw", script);
+  return draw("vessels", raster_bytes(raster), "raw", script);
 }
 
 std::string Pictures::draw_von_mises(const ParticleSet& particles, const ParticleState& state,
@@ -207,7 +169,7 @@ std::string Pictures::draw_von_mises(const ParticleSet& particles, const Particl
   script += format("set cbrange [0:%.4g]\nset cbtics %g\n", scale.end,
                    round_step(scale.end, layout.bar_height / 60.0));
   script += raster_plot(raster, "von_mises");
-  return draw("von_mises", bytes(raster.value), "raw", script);
+  return draw("von_mises", raster_bytes(raster), "raw", script);
 }
 
 std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,

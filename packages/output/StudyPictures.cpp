@@ -15,9 +15,8 @@ using base::format;
 /// Height that the plot itself and a legend of so many lines below it need.
 int height_with_key(std::size_t lines) { return 724 + 24 * static_cast<int>(lines); }
 
-const char* const key_below =
-    "set key below left Left reverse maxcols 1 width 2 title ' '\nset grid lc rgb '#dddddd' lt 1 "
-    "lw 1\n";
+const char* const grid_lines = "set grid lc rgb '#dddddd' lt 1 lw 1\n";
+const char* const key_below = "set key below left Left reverse maxcols 1 width 2 title ' '\n";
 
 double largest_of(double largest, const std::vector<double>& values) {
   for (const double value : values) largest = std::max(largest, std::abs(value));
@@ -42,30 +41,33 @@ int point_type(std::size_t n) {
 
 std::string draw_force_strain(const base::Communicator& communicator, const std::string& folder,
                               const std::string& title, const std::string& support,
-                              const std::vector<ForceCurve>& curves, bool by_strain) {
+                              const std::vector<CurveThing>& things,
+                              const std::vector<ForceCurve>& curves, bool by_strain,
+                              const std::string& remark) {
   const char* const name = "force_strain";
   std::string data = by_strain ? "# strain [-]\tforce [pN]\n" : "# displacement [um]\tforce [pN]\n";
   double largest = 0.0;
+  std::vector<CurveName> names;
   for (const ForceCurve& curve : curves) {
-    data += block(curve.name, curve.stretch, curve.force);
+    data += block(curve.name.name, curve.stretch, curve.force);
     largest = largest_of(largest, curve.force);
+    names.push_back(curve.name);
   }
   const ForceUnit unit = force_unit(largest);
+  const CurveStyles styles = curve_styles(things, names);
   std::string script =
-      gnuplot_head(name, 1000, height_with_key(curves.size()),
-                   title + "\nforce of \"" + support + "\" along its displacement");
+      gnuplot_head(name, styles.width, height_with_key(static_cast<std::size_t>(styles.key_lines)),
+                   title + "\nforce of \"" + support + "\" along its displacement" + remark);
   script += format("set xlabel '%s'\nset ylabel 'force (%s)'\n",
                    by_strain ? "strain (%)" : "displacement (µm)", unit.name);
-  script += key_below;
+  script += styles.key + grid_lines;
   script += "set offsets 0, 0, graph 0.05, 0\nplot ";
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    script += format(
-        "%s'%s.dat' index %zu using ($1*%g):($2/%g) with linespoints lw 2 pt %d ps 1 "
-        "lc rgb '%s' title %s",
-        i == 0 ? "" : ", \\\n     ", name, i, by_strain ? 100.0 : 1.0, unit.size, point_type(i),
-        line_colour(i), gnuplot_quoted(curves[i].name).c_str());
+    script += format("%s'%s.dat' index %zu using ($1*%g):($2/%g) with linespoints %s %s",
+                     i == 0 ? "" : ", \\\n     ", name, i, by_strain ? 100.0 : 1.0, unit.size,
+                     styles.style[i].c_str(), styles.title[i].c_str());
   }
-  return draw_picture(communicator, folder, name, data, "dat", script + "\n");
+  return draw_picture(communicator, folder, name, data, "dat", script + styles.legend + "\n");
 }
 
 std::string draw_force_element_size(const base::Communicator& communicator,
@@ -89,7 +91,7 @@ std::string draw_force_element_size(const base::Communicator& communicator,
       name, 1000, height_with_key(key_lines),
       title + "\nforce of \"" + support + "\" at full load; dashed: f + c h^p to size 0");
   script += format("set xlabel 'element size h (µm)'\nset ylabel 'force (%s)'\n", unit.name);
-  script += key_below;
+  script += std::string(key_below) + grid_lines;
   script +=
       format("set xrange [0:%.8g]\nset offsets 0, 0, graph 0.05, graph 0.05\nset samples 200\n",
              1.08 * widest);

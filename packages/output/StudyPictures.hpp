@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "base/Communicator.hpp"
+#include "output/CurveStyles.hpp"
 
 namespace stroma::output {
 
 /// The force of one support of one member over its steps.
 struct ForceCurve {
-  std::string name;             ///< stands in the legend
+  CurveName name;
   std::vector<double> stretch;  ///< strain [-], or displacement [um] where there is none
   std::vector<double> force;    ///< along the displacement [pN]
 };
@@ -35,12 +36,16 @@ struct SizeSeries {
   std::string undefined_because;  ///< why there is no fit
 };
 
-/// force_strain.png: all members in one picture, with a legend. Collective; what is drawn is rank
-/// 0's. \param by_strain  the curves' abscissa is strain, else displacement \return  as
-/// draw_picture of PictureFile.hpp
+/// force_strain.png: all members in one picture, told apart by curve_styles(), with the legend
+/// below. Collective; what is drawn is rank 0's.
+/// \param by_strain  the curves' abscissa is strain, else displacement
+/// \param remark     follows the picture's second line; may be empty
+/// \return  as draw_picture of PictureFile.hpp
 std::string draw_force_strain(const base::Communicator& communicator, const std::string& folder,
                               const std::string& title, const std::string& support,
-                              const std::vector<ForceCurve>& curves, bool by_strain);
+                              const std::vector<CurveThing>& things,
+                              const std::vector<ForceCurve>& curves, bool by_strain,
+                              const std::string& remark);
 
 /// force_element_size.png: force against element size, with each series' value at size 0 and its
 /// observed order, or why they are undefined. Collective; what is drawn is rank 0's.

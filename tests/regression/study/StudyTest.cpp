@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -237,6 +238,125 @@ TEST(Study, GoesOnAfterAMemberThatFails) {
   }
 }
 
+/// The uniform block of base_deck as a layer in plane strain, with a second, stiffer material in
+/// it.
+const char* const slice_deck = R"(Stroma:
+  Title: A slice
+  Image:
+    Phantom:
+      Kind: Vessels
+      Size: [32, 32, 1]
+      Voxel Size [um]: [1.0, 1.0, 1.0]
+      Volume Fraction: 0.2
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500.0, Poisson Ratio: 0.3}
+    vessel: {Label: 1, "Shear Modulus [Pa]": 1000.0, Poisson Ratio: 0.3}
+  Grid:
+    Element Size [um]: [4.0, 4.0, 1.0]
+    Plane Strain: true
+  Boundary Conditions:
+    bottom: {Face: y-, Components: y}
+    top: {Face: y+, Components: y, Strain: 0.1}
+  Loading: {Steps: 4}
+)";
+
+const char* const compared_study = R"(Study:
+  Base Deck: slice.yaml
+  Cases:
+    grid:
+      coarse: {}
+      fine: {"Grid|Element Size [um]": [2.0, 2.0, 1.0], Loading|Steps: 3}
+    specimen:
+      with vessels: {}
+      gel only: {"Materials|vessel|Shear Modulus [Pa]": 500.0}
+  Vary:
+    Output|Pictures: [true, false]
+  Compare: {Thing: grid, Reference: fine}
+  Gain: {Thing: specimen, Reference: gel only}
+  Plot:
+    Von Mises Members:
+      - coarse__with_vessels__Pictures_true
+      - fine__with_vessels__Pictures_true
+)";
+
+TEST(Study, ComparesItsMembers) {
+  const TemporaryFolder folder;
+  folder.write("slice.yaml", slice_deck);
+  folder.write("study.yaml", compared_study);
+  const Outcome outcome = run_stroma(folder.path(), "study study.yaml", 2);
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+  const auto rows = rows_of(folder / "study/study.csv");
+  ASSERT_EQ(rows.size(), 8u);  // the last list changes fastest: Pictures, specimen, grid
+  std::vector<History> histories;
+  for (const auto& row : rows)
+    histories.emplace_back(folder / ("study/" + row.at("member") + "/history.csv"));
+  const auto force = [&](std::size_t m) { return histories[m]["top.reaction_y"]; };
+  for (std::size_t m = 0; m < 8; ++m) {
+    EXPECT_EQ(rows[m].at("Output|Pictures"), m % 2 == 0 ? "true" : "false");
+    const bool is_gel = m % 4 >= 2, is_fine = m >= 4;
+    EXPECT_EQ(rows[m].at("gain").empty(), is_gel) << m;
+    EXPECT_EQ(rows[m].at("force_departure_rms").empty(), is_fine) << m;
+    EXPECT_EQ(rows[m].at("force_departure_end").empty(), is_fine) << m;
+    if (!is_gel) {
+      const double gain = force(m).back() / force(m + 2).back() - 1.0;
+      EXPECT_NEAR(std::stod(rows[m].at("gain")), gain, 1e-12);
+      EXPECT_GT(gain, 0.1);
+      EXPECT_LT(gain, 0.2);
+    }
+    // The law itself is not linear: 3 % at 10 % extension.
+    double secant = 0.0;
+    for (std::size_t s = 0; s < histories[m].rows(); ++s)
+      secant = std::max(secant, std::abs(force(m)[s] - histories[m]["load"][s] * force(m).back()));
+    EXPECT_NEAR(std::stod(rows[m].at("secant_departure")), secant / force(m).back(), 1e-12);
+    EXPECT_NEAR(secant / force(m).back(), 0.03, 0.01);
+  }
+  // Four steps against three, whose forces are read in between: at 1/4, 1/2 and 3/4 the load is at
+  // 3/4 of step 1, half-way between 1 and 2, and at 1/4 from 2 to 3.
+  const auto coarse = force(0), fine = force(4);
+  ASSERT_EQ(coarse.size(), 5u);
+  ASSERT_EQ(fine.size(), 4u);
+  const double at_steps[] = {0.75 * fine[1], 0.5 * (fine[1] + fine[2]),
+                             0.75 * fine[2] + 0.25 * fine[3], fine[3]};
+  double sum = 0.0;
+  for (std::size_t s = 0; s < 4; ++s) sum += std::pow(coarse[s + 1] - at_steps[s], 2);
+  EXPECT_NEAR(std::stod(rows[0].at("force_departure_rms")), std::sqrt(sum / 4.0) / fine[3], 1e-9);
+  EXPECT_NEAR(std::stod(rows[0].at("force_departure_end")), coarse[4] / fine[3] - 1.0, 1e-12);
+  for (const char* text : {"gain", "force_departure_rms", "secant_departure", " %"})
+    EXPECT_NE(outcome.standard_output.find(text), std::string::npos) << text;
+}
+
+TEST(Study, DrawsVonMisesMapsOfFinishedMembers) {
+  const TemporaryFolder folder;
+  folder.write("slice.yaml", slice_deck);
+  std::string study = compared_study;
+  folder.write("study.yaml", study.substr(0, study.find("  Plot:")));
+  ASSERT_EQ(run_stroma(folder.path(), "study study.yaml --quiet").status, 0);
+  EXPECT_FALSE(fs::exists(folder / "study/von_mises.png"));  // not asked for
+  const fs::path history = folder / "study/coarse__with_vessels__Pictures_true/history.csv";
+  const auto time = fs::last_write_time(history);
+
+  folder.write("study.yaml", study);
+  const Outcome second = run_stroma(folder.path(), "study study.yaml", 2);
+  ASSERT_EQ(second.status, 0) << second.standard_error;
+  EXPECT_EQ(fs::last_write_time(history), time);  // nothing is run again for a picture
+  EXPECT_TRUE(is_png(folder / "study/von_mises.png"));
+  const std::string script = content_of(folder / "study/pictures/von_mises.gp");
+  for (const char* text : {"(a) coarse", "(b) fine", "with vessels, Pictures true"})
+    EXPECT_NE(script.find(text), std::string::npos) << text << " in\n" << script;
+  EXPECT_EQ(second.standard_output.find("von_mises.png"), std::string::npos);
+
+  // A member that left no map is named; the picture has the others.
+  study += "      - fine__gel_only__Pictures_false\n";
+  folder.write("study.yaml", study);
+  const Outcome third = run_stroma(folder.path(), "study study.yaml");
+  ASSERT_EQ(third.status, 0) << third.standard_error;
+  EXPECT_NE(third.standard_output.find(
+                "von_mises.png is without \"fine, gel only, Pictures false\": there is no "),
+            std::string::npos)
+      << third.standard_output;
+  EXPECT_TRUE(is_png(folder / "study/von_mises.png"));
+}
+
 struct BadStudy {
   std::string what, deck;
   std::vector<std::string> told;
@@ -262,6 +382,16 @@ const BadStudy bad_studies[] = {
      "  Base Deck: base.yaml\n  Vary: {Loading|Steps: [1]}\n  Also Tabulate: [top.reaction_w]\n"
      "  Plot: {Support: bottom}\n",
      {"2 mistakes in", "Also Tabulate: \"top.reaction_w\" is no column", "Plot|Support"}},
+    {"UnknownReferences",
+     "  Base Deck: base.yaml\n  Vary: {Output|Pictures: [true, false]}\n"
+     "  Compare: {Thing: Output|Picture, Reference: true}\n"
+     "  Gain: {Thing: Output|Pictures, Reference: flase}\n"
+     "  Plot: {Von Mises Members: [Pictures_tru]}\n",
+     {"3 mistakes in", "did you mean \"Output|Pictures\"?", "did you mean \"false\"?",
+      "did you mean \"Pictures_true\"?"}},
+    {"ListOfTrueAndFalseForANumber",
+     "  Base Deck: base.yaml\n  Vary: {Loading|Steps: [true, false]}\n",
+     {"member \"Steps true\":", "Loading|Steps: \"true\" is not an integer"}},
     {"NothingVaried", "  Base Deck: base.yaml\n", {"nothing is varied"}},
     {"AValueInsteadOfAList",
      "  Base Deck: base.yaml\n  Vary: {Loading|Steps: 4}\n",
@@ -291,7 +421,8 @@ TEST(Study, HasAReference) {
   const TemporaryFolder folder;
   const Outcome outcome = run_stroma(folder.path(), "reference Study");
   EXPECT_EQ(outcome.status, 0);
-  for (const char* text : {"`Base Deck`", "## Cases", "## Vary", "`Also Tabulate`", "`Support`"})
+  for (const char* text : {"`Base Deck`", "## Cases", "## Vary", "`Also Tabulate`", "`Support`",
+                           "## Compare", "## Gain", "`Von Mises Members`"})
     EXPECT_NE(outcome.standard_output.find(text), std::string::npos) << text;
 }
 

@@ -94,6 +94,7 @@ TEST(DeckFreeList, TypesInXml) {
                 "<Parameter name=\"d\" type=\"double\" value=\"3\"/>"
                 "<Parameter name=\"l\" type=\"long long\" value=\"3000000000\"/>"
                 "<Parameter name=\"s\" type=\"string\" value=\"3\"/>"
+                "<Parameter name=\"b\" type=\"Array(bool)\" value=\"{true, false}\"/>"
                 "<Parameter name=\"a\" type=\"Array(string)\" value=\"{x, y}\"/>" +
                 end,
             Format::xml, "s.xml");
@@ -103,21 +104,25 @@ TEST(DeckFreeList, TypesInXml) {
   EXPECT_EQ(list.get<long long>("l"), 3'000'000'000);
   EXPECT_EQ(list.get<std::string>("s"), "3");
   EXPECT_EQ(entries<std::string>(list, "a"), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(entries<std::string>(list, "b"), (std::vector<std::string>{"true", "false"}));
 
-  const Document bad = parse(begin +
-                                 "<Parameter name=\"i\" type=\"int\" value=\"3.5\"/>\n"
-                                 "<Parameter name=\"f\" type=\"real\" value=\"3\"/>\n"
-                                 "<Parameter name=\"i\" type=\"int\" value=\"4\"/>" +
-                                 end,
-                             Format::xml, "s.xml");
+  const Document bad =
+      parse(begin +
+                "<Parameter name=\"i\" type=\"int\" value=\"3.5\"/>\n"
+                "<Parameter name=\"f\" type=\"real\" value=\"3\"/>\n"
+                "<Parameter name=\"i\" type=\"int\" value=\"4\"/>\n"
+                "<Parameter name=\"b\" type=\"Array(bool)\" value=\"{true, 1}\"/>" +
+                end,
+            Format::xml, "s.xml");
   try {
     read(bad, passing());
     FAIL();
   } catch (const base::InputError& error) {
-    EXPECT_STREQ(error.what(), R"deck(3 mistakes in s.xml
+    EXPECT_STREQ(error.what(), R"deck(4 mistakes in s.xml
 line 1, Solver|Anything|i: "3.5" is not an integer
 line 2, Solver|Anything|f: type="real" is no type of a deck; write type="string"
-line 3, Solver|Anything|i: given twice; first on line 1)deck");
+line 3, Solver|Anything|i: given twice; first on line 1
+line 4, Solver|Anything|b: entry 2: "1" is not true or false)deck");
   }
 }
 
@@ -125,7 +130,8 @@ TEST(DeckFreeList, YamlShowsTheType) {
   const Teuchos::ParameterList list =
       read_yaml(
           "    Anything: {i: 3, d: 3.0, e: 1e3, b: false, s: '3', l: 3000000000, w: word, ai: [1, "
-          "2], ad: [1, 2.5], as: [1, x]}\n")
+          "2], ad: [1, 2.5], as: [1, x], ab: [true, "
+          "false]}\n")
           .content->sublist("Anything");
   EXPECT_EQ(list.get<int>("i"), 3);
   EXPECT_EQ(list.get<double>("d"), 3.0);
@@ -137,6 +143,7 @@ TEST(DeckFreeList, YamlShowsTheType) {
   EXPECT_EQ(entries<int>(list, "ai"), (std::vector<int>{1, 2}));
   EXPECT_EQ(entries<double>(list, "ad"), (std::vector<double>{1.0, 2.5}));
   EXPECT_EQ(entries<std::string>(list, "as"), (std::vector<std::string>{"1", "x"}));
+  EXPECT_EQ(entries<std::string>(list, "ab"), (std::vector<std::string>{"true", "false"}));
 }
 
 }  // namespace

@@ -84,6 +84,65 @@ TEST(StudyDeck, ReadsXmlAlike) {
   EXPECT_EQ(members[1].folder, "8_px__Preconditioner_Direct");
 }
 
+TEST(StudyDeck, VariesTrueAndFalse) {
+  const auto yaml =
+      members_in("Study:\n  Base Deck: deck.xml\n  Vary: {Grid|Reset: [true, false]}\n");
+  const auto xml = members_in(R"xml(<ParameterList name="Study">
+  <Parameter name="Base Deck" type="string" value="deck.xml"/>
+  <ParameterList name="Vary">
+    <Parameter name="Grid|Reset" type="Array(bool)" value="{true, false}"/>
+  </ParameterList>
+</ParameterList>)xml",
+                              "study.xml");
+  for (const auto& members : {yaml, xml}) {
+    ASSERT_EQ(members.size(), 2u);
+    EXPECT_EQ(members[0].name, "Reset true");
+    EXPECT_EQ(members[0].folder, "Reset_true");
+    EXPECT_EQ(members[0].overrides, (Texts{"Grid|Reset=true"}));
+    EXPECT_EQ(members[1].overrides, (Texts{"Grid|Reset=false"}));
+  }
+}
+
+TEST(StudyDeck, FindsWhatComparisonsAndPicturesReferTo) {
+  const test::TemporaryFolder folder;
+  const Study study = read_study(folder
+                                     .write("study.yaml", R"(Study:
+  Base Deck: deck.xml
+  Cases:
+    grid: {8 px: {}, 4 px: {}}
+  Vary: {Loading|Steps: [5, 10]}
+  Compare: {Thing: Loading|Steps, Reference: 10}
+  Gain: {Thing: grid, Reference: 8 px}
+  Plot: {Von Mises Members: [4_px__Steps_10, 8_px__Steps_5]}
+)")
+                                     .string());
+  ASSERT_TRUE(study.compare && study.gain);
+  EXPECT_EQ(study.compare->variation, 1u);
+  EXPECT_EQ(study.compare->label, "Steps 10");
+  EXPECT_EQ(study.gain->variation, 0u);
+  EXPECT_EQ(study.gain->label, "8 px");
+  EXPECT_EQ(study.von_mises_members, (std::vector<std::size_t>{3, 0}));
+}
+
+TEST(StudyDeck, RefusesReferencesToNothing) {
+  const std::string varied = "  Cases: {mode: {reset: {}, no reset: {}}}\n";
+  expect_told(varied + "  Compare: {Thing: modes, Reference: reset}\n",
+              "line 4, Compare|Thing: \"modes\" does not vary; did you mean \"mode\"?");
+  expect_told(varied + "  Gain: {Thing: mode, Reference: no rest}\n",
+              "line 4, Gain|Reference: \"no rest\" is none of what mode may be; did you mean "
+              "\"no reset\"?");
+  expect_told(varied + "  Compare: {Thing: mode}\n", "Compare|Reference: required, but missing");
+  expect_told(varied + "  Plot: {Von Mises Members: [no_rest]}\n",
+              "line 4, Plot|Von Mises Members: \"no_rest\" is no member; did you mean "
+              "\"no_reset\"?");
+  expect_told(varied + "  Plot: {Von Mises Members: [reset, reset]}\n", "is there twice");
+  expect_told(
+      "  Vary: {Loading|Steps: [1, 2, 3, 4, 5, 6, 7]}\n"
+      "  Plot: {Von Mises Members: [nothing]}\n",
+      "there are 7, such as \"Steps_1\" and \"Steps_7\"");
+  expect_told("  Cases: {gain: {a: {}}}\n", "the table has a column of this name");
+}
+
 TEST(StudyDeck, TellsParametersOfTheSameNameApart) {
   const auto members = members_in(R"(Study:
   Base Deck: deck.xml

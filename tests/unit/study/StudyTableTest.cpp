@@ -33,13 +33,18 @@ TEST(StudyTable, HasARowForEachMember) {
   results[1].status = MemberStatus::failed;
   results[1].history = history_of(header + "0,0,0,0,0,0,0,0,0,0,0\n1,0.5,2,10,0,1,1,1,1,0,3\n");
   EXPECT_EQ(force_along(facts.moving[0], results[0].history)[2], 0.6 * 10.0 + 0.8 * 20.0);
-  EXPECT_EQ(study_table(variations, members, {facts, facts, facts}, results, {"top.reaction_z"}),
-            "member,\"grid, of elements\",status,load,top.force,strain_energy,"
-            "\"a \"\"b\"\", c.von_mises_mean\",newton_iterations,linear_iterations,wall_seconds,"
-            "top.reaction_z\n"
-            "8_px,8 px,done,1,22,4,5,5,30,1.5,99\n"
-            "4_px,4 px,failed,0.5,,,,2,10,1,\n"
-            "2_px,2 px,waiting,,,,,,,,\n");
+  const ComparisonTable comparison{
+      {"gain", "secant_departure"},
+      {{0.25, 0.5}, {std::nullopt, std::nullopt}, {std::nullopt, 0.0}}};
+  EXPECT_EQ(
+      study_table(variations, members, {facts, facts, facts}, results, comparison,
+                  {"top.reaction_z"}),
+      "member,\"grid, of elements\",status,load,top.force,gain,secant_departure,strain_energy,"
+      "\"a \"\"b\"\", c.von_mises_mean\",newton_iterations,linear_iterations,wall_seconds,"
+      "top.reaction_z\n"
+      "8_px,8 px,done,1,22,0.25,0.5,4,5,5,30,1.5,99\n"
+      "4_px,4 px,failed,0.5,,,,,,2,10,1,\n"
+      "2_px,2 px,waiting,,,,0,,,,,,\n");
 }
 
 TEST(ConvergenceTable, SaysWhatIsUndefined) {
