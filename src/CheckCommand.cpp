@@ -78,7 +78,7 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
   const auto particles = static_cast<double>(specimen.particles.count());
   const auto nodes =
       static_cast<double>(specimen.partition.touched_nodes(communicator.rank()).count());
-  const double state = 41.0 * particles;
+  const double state = (deck.parameters.grid.reset ? 2.0 * 145.0 + 41.0 : 41.0) * particles;
   const double results = 88.0 * particles;
   const double matrix = (81.0 * 3.0 * 12.0 + 27.0) * nodes;
   const double vectors = 20.0 * 24.0 * nodes;
