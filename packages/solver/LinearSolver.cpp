@@ -12,6 +12,8 @@ namespace stroma::solver {
 std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
                                                     const mechanics::MomentumBalance& balance) {
   switch (parameters.preconditioner) {
+    case PreconditionerKind::geometric_multigrid:
+      return make_geometric_multigrid(balance);
     case PreconditionerKind::multigrid:
       return make_muelu(parameters, balance);
     case PreconditionerKind::direct:
@@ -25,9 +27,14 @@ LinearSolver::LinearSolver(const SolverParameters& parameters,
                            const mechanics::MomentumBalance& balance)
     : parameters_(parameters), preconditioner_(make_preconditioner(parameters, balance)) {}
 
-void LinearSolver::set_matrix(const grid::RCP<mechanics::Matrix>& matrix) {
-  const bool is_first = matrix_ == Teuchos::null;
-  matrix_ = matrix;
+grid::RCP<mechanics::Matrix> as_matrix(const grid::RCP<const Operator>& tangent) {
+  return Teuchos::rcp_const_cast<mechanics::Matrix>(
+      Teuchos::rcp_dynamic_cast<const mechanics::Matrix>(tangent, true));
+}
+
+void LinearSolver::set_tangent(const grid::RCP<const Operator>& tangent) {
+  const bool is_first = tangent_ == Teuchos::null;
+  tangent_ = tangent;
   is_fresh_ = false;
   const bool works_still = 2 * last_iterations_ <= 3 * iterations_when_fresh_ + 4;
   if (is_first || !preconditioner_->worth_keeping() || !works_still) renew_preconditioner();
@@ -35,7 +42,7 @@ void LinearSolver::set_matrix(const grid::RCP<mechanics::Matrix>& matrix) {
 
 void LinearSolver::renew_preconditioner() {
   const base::Stage stage("preconditioner");
-  preconditioner_->compute(matrix_);
+  preconditioner_->compute(tangent_);
   is_fresh_ = true;
   iterations_when_fresh_ = 0;
 }
@@ -61,8 +68,9 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     SolverParameters jacobi = parameters_;
     jacobi.preconditioner = PreconditionerKind::jacobi;
     jacobi.ifpack2 = Teuchos::null;
-    const auto plain = make_ifpack2(jacobi);
-    plain->compute(matrix_);
+    const bool is_stencil = parameters_.preconditioner == PreconditionerKind::geometric_multigrid;
+    const auto plain = is_stencil ? make_block_jacobi() : make_ifpack2(jacobi);
+    plain->compute(tangent_);
     result = run_belos(*plain, b, x, tolerance);
   }
   if (result.indefinite) throw base::StepRejected("conjugate gradients met an indefinite tangent");
@@ -79,7 +87,7 @@ LinearResult LinearSolver::run_belos(const Preconditioner& preconditioner,
   const base::Stage stage("linear solve");
   x.putScalar(0.0);
   const auto problem =
-      Teuchos::rcp(new Problem(matrix_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
+      Teuchos::rcp(new Problem(tangent_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
   problem->setLeftPrec(preconditioner.apply_inverse());
   problem->setProblem();
   const auto list = Teuchos::parameterList();

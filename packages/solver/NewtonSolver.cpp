@@ -60,7 +60,11 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
       balance_(&balance),
       progress_(std::move(progress)),
       linear_solver_(parameters, balance),
-      model_(Teuchos::rcp(new ThyraModel(balance, thyra_factory(linear_solver_)))) {}
+      model_(Teuchos::rcp(new ThyraModel(balance, thyra_factory(linear_solver_)))) {
+  balance.choose_tangent(parameters.preconditioner == PreconditionerKind::geometric_multigrid
+                             ? mechanics::TangentForm::stencil
+                             : mechanics::TangentForm::compressed_rows);
+}
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   residual_history_.clear();
@@ -113,7 +117,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
 void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_change) {
   if (balance_->assemble_tangent(u) > 0)
     throw base::StepRejected("particles are turned inside out");
-  linear_solver_.set_matrix(balance_->tangent_matrix());
+  linear_solver_.set_tangent(balance_->tangent());
   grid::Vector rhs(balance_->owned_map()), du(balance_->owned_map()), r(balance_->owned_map());
   balance_->tangent_times(u, prescribed_change, rhs);
   balance_->residual(u, r);

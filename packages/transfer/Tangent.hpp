@@ -54,11 +54,13 @@ struct BlockRows {
 /// sweeps per particle, T_ijk(b) = V0 a_ijkl dN_b/dx_l and K(a,i,k,b) += dN_a/dx_j T_ijk(b), whose
 /// inner loops run over b and vectorise. Launch with for_each_element(): no atomics, the same bit
 /// for bit for any number of threads. Source: docs/theory.md, eq. (T.11).
-template <class Shape, class Law, class Device>
+///
+/// \tparam Rows  where blocks go: BlockRows or StencilRows
+template <class Shape, class Law, class Device, class Rows = BlockRows<Device>>
 struct Tangent {
   ElementParticles<Shape, Device> elements;
   Kokkos::View<const Law*, Device> law;
-  BlockRows<Device> rows;
+  Rows rows;
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     constexpr int n = Shape::nodes;
