@@ -12,8 +12,9 @@
 namespace stroma::grid {
 
 /// Three components at each node of a rank's box. A line of nodes along x holds its components one
-/// after the other, each with a zero before its first node and one after its last, so that a loop
-/// may look one node beyond either end. Copies share their values, as Kokkos views do.
+/// after the other, each filled up with zeros to a multiple of eight nodes, with one more before
+/// and behind, so that a loop may take eight nodes at a time and look one beyond. Copies share
+/// their values, as Kokkos views do.
 ///
 /// Where ranks share nodes, each holds the same value ("consistent"), or each a part of a sum
 /// ("partial") until BoxExchange::sum() has added the parts up.
@@ -26,7 +27,7 @@ struct NodeField {
   NodeField() = default;
   NodeField(const std::string& name, const LevelGrid& grid) {
     for (int d = 0; d < 3; ++d) nodes[d] = grid.nodes(d);
-    pitch = nodes[0] + 2;
+    pitch = (nodes[0] + 7) / 8 * 8 + 2;
     values = Kokkos::View<T*, Device>(name, 3 * static_cast<std::size_t>(lines()) * pitch);
   }
 

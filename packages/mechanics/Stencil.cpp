@@ -1,110 +1,129 @@
 #include "mechanics/Stencil.hpp"
 
+#include "mechanics/Eight.hpp"
+
 namespace stroma::mechanics {
 namespace {
 
 using grid::NodeField;
+using transfer::StencilLayout;
 
-/// Pointers to the three components of a line.
+constexpr int tile = StencilLayout::tile;
+
+/// Three components at eight nodes.
 template <class T>
-struct Line {
-  T* c[3];
-  Line(const NodeField<T>& field, int number, int shift)
-      : c{field.line(0, number) + shift, field.line(1, number) + shift,
-          field.line(2, number) + shift} {}
+struct Eight3 {
+  typename Eight<T>::Type c[3];
+
+  Eight3() : c{} {}
+  Eight3(const T* first, int pitch)
+      : c{load_eight(first), load_eight(first + pitch), load_eight(first + 2 * pitch)} {}
+  void add_to(T* first, int pitch) const {
+    for (int i = 0; i < 3; ++i) add_eight(first + i * pitch, c[i]);
+  }
 };
 
-/// y_i += K_ik x_k along a line, for a block whose nine rows lie `pitch` apart.
+/// y += B x and Y += B^T X for a block B of each of eight nodes.
 template <class T>
-void add_block(int n, const float* __restrict K, std::size_t pitch, const Line<T>& x,
-               const Line<T>& y) {
-  const T* __restrict x0 = x.c[0], * __restrict x1 = x.c[1], * __restrict x2 = x.c[2];
-  T* __restrict y0 = y.c[0], * __restrict y1 = y.c[1], * __restrict y2 = y.c[2];
-  for (int m = 0; m < n; ++m) {
-    const T a = x0[m], b = x1[m], c = x2[m];
-    y0[m] += T(K[m]) * a + T(K[pitch + m]) * b + T(K[2 * pitch + m]) * c;
-    y1[m] += T(K[3 * pitch + m]) * a + T(K[4 * pitch + m]) * b + T(K[5 * pitch + m]) * c;
-    y2[m] += T(K[6 * pitch + m]) * a + T(K[7 * pitch + m]) * b + T(K[8 * pitch + m]) * c;
+inline void multiply_block(const float* B, const Eight3<T>& x, Eight3<T>& y, const Eight3<T>& X,
+                           Eight3<T>& Y) {
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) {
+      const auto b = converted<T>(B + tile * (3 * i + k));
+      y.c[i] += b * x.c[k];
+      Y.c[k] += b * X.c[i];
+    }
+}
+
+/// A line that is ahead of the one whose blocks are read.
+template <class T>
+struct LineAhead {
+  const T* x = nullptr;  // null: there is none
+  T* y = nullptr;
+  T carried[3] = {0, 0, 0};  // what the last tile adds to the node beyond it
+};
+
+/// Adds what a tile contributes to its neighbours at dx = 1: up, and the last of them carried.
+template <class T>
+inline void shift_and_carry(const Eight3<T>& up, T carried[3], Eight3<T>& sum) {
+  for (int i = 0; i < 3; ++i) {
+    sum.c[i] += shifted_up(up.c[i], carried[i]);
+    carried[i] = up.c[i][tile - 1];
   }
 }
 
-/// Y_k += K_ik X_i along a line: the block's transpose.
+/// All products with the blocks of one line of nodes. Each block is read once and serves its own
+/// row and, transposed, its neighbour's. Sums at eight nodes stay in registers; what goes to nodes
+/// next to the eight is shifted there, so that no store overlaps a load that follows it closely.
 template <class T>
-void add_transposed_block(int n, const float* __restrict K, std::size_t pitch, const Line<T>& X,
-                          const Line<T>& Y) {
-  const T* __restrict x0 = X.c[0], * __restrict x1 = X.c[1], * __restrict x2 = X.c[2];
-  T* __restrict y0 = Y.c[0], * __restrict y1 = Y.c[1], * __restrict y2 = Y.c[2];
-  for (int m = 0; m < n; ++m) {
-    const T a = x0[m], b = x1[m], c = x2[m];
-    y0[m] += T(K[m]) * a + T(K[3 * pitch + m]) * b + T(K[6 * pitch + m]) * c;
-    y1[m] += T(K[pitch + m]) * a + T(K[4 * pitch + m]) * b + T(K[7 * pitch + m]) * c;
-    y2[m] += T(K[2 * pitch + m]) * a + T(K[5 * pitch + m]) * b + T(K[8 * pitch + m]) * c;
-  }
-}
-
-/// Both in one pass over the block: y of this line, Y of another.
-template <class T>
-void add_block_both_ways(int n, const float* __restrict K, std::size_t pitch, const Line<T>& x,
-                         const Line<T>& y, const Line<T>& X, const Line<T>& Y) {
-  const T* __restrict x0 = x.c[0], * __restrict x1 = x.c[1], * __restrict x2 = x.c[2];
-  const T* __restrict X0 = X.c[0], * __restrict X1 = X.c[1], * __restrict X2 = X.c[2];
-  T* __restrict y0 = y.c[0], * __restrict y1 = y.c[1], * __restrict y2 = y.c[2];
-  T* __restrict Y0 = Y.c[0], * __restrict Y1 = Y.c[1], * __restrict Y2 = Y.c[2];
-#pragma GCC ivdep
-  for (int m = 0; m < n; ++m) {
-    const T k00 = K[m], k01 = K[pitch + m], k02 = K[2 * pitch + m];
-    const T k10 = K[3 * pitch + m], k11 = K[4 * pitch + m], k12 = K[5 * pitch + m];
-    const T k20 = K[6 * pitch + m], k21 = K[7 * pitch + m], k22 = K[8 * pitch + m];
-    const T a = X0[m], b = X1[m], c = X2[m];
-    y0[m] += k00 * a + k01 * b + k02 * c;
-    y1[m] += k10 * a + k11 * b + k12 * c;
-    y2[m] += k20 * a + k21 * b + k22 * c;
-    const T d = x0[m], e = x1[m], f = x2[m];
-    Y0[m] += k00 * d + k10 * e + k20 * f;
-    Y1[m] += k01 * d + k11 * e + k21 * f;
-    Y2[m] += k02 * d + k12 * e + k22 * f;
+void multiply_line(int tiles, const float* blocks, const T* x, T* y, int pitch,
+                   LineAhead<T> (&ahead)[4]) {
+  T carried[3] = {0, 0, 0};
+  for (int t = 0; t < tiles; ++t, blocks += StencilLayout::entries * tile) {
+    const int first = t * tile;
+    const Eight3<T> x_here(x + first, pitch);
+    Eight3<T> y_here;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        y_here.c[i] += converted<T>(blocks + tile * (3 * i + k)) * x_here.c[k];
+    Eight3<T> up;
+    multiply_block(blocks + 9 * tile, Eight3<T>(x + first + 1, pitch), y_here, x_here, up);
+    shift_and_carry(up, carried, y_here);
+    for (int n = 0; n < 4; ++n) {
+      LineAhead<T>& line = ahead[n];
+      if (line.x == nullptr) continue;
+      const float* const B = blocks + (18 + 27 * n) * tile;
+      const T* const x_there = line.x + first;
+      T* const y_there = line.y + first;
+      Eight3<T> below, sum, above;
+      multiply_block(B, Eight3<T>(x_there - 1, pitch), y_here, x_here, below);
+      for (int i = 0; i < 3; ++i) {
+        y_there[i * pitch - 1] += below.c[i][0];
+        sum.c[i] = shifted_down(below.c[i]);
+      }
+      multiply_block(B + 9 * tile, Eight3<T>(x_there, pitch), y_here, x_here, sum);
+      multiply_block(B + 18 * tile, Eight3<T>(x_there + 1, pitch), y_here, x_here, above);
+      shift_and_carry(above, line.carried, sum);
+      sum.add_to(y_there, pitch);
+    }
+    y_here.add_to(y + first, pitch);
   }
 }
 
 }  // namespace
 
 Stencil::Stencil(const grid::LevelGrid& grid) {
-  for (int d = 0; d < 3; ++d) lines_.nodes[d] = grid.nodes(d);
-  values_ = Kokkos::View<float*, Device>("stencil", lines_.count());
+  for (int d = 0; d < 3; ++d) layout_.nodes[d] = grid.nodes(d);
+  values_ = Kokkos::View<float*, Device>("stencil", layout_.count());
 }
 
 template <class T>
 void Stencil::multiply_in(const NodeField<T>& x, const NodeField<T>& y) const {
   y.zero();
-  const transfer::StencilLines lines = lines_;
+  const StencilLayout layout = layout_;
   const float* const values = values_.data();
-  const auto line_product = KOKKOS_LAMBDA(const int j, const int k) {
-    const int n = lines.nodes[0];
-    const auto pitch = static_cast<std::size_t>(n);
-    const int here = j + lines.nodes[1] * k;
-    const auto block = [&](int s) { return values + lines.row(here, 9 * (s - 13)); };
-    const Line<T> x_here(x, here, 0), y_here(y, here, 0);
-    add_block(n, block(13), pitch, x_here, y_here);
-    add_block(n, block(14), pitch, Line<T>(x, here, 1), y_here);
-    add_transposed_block(n, block(14), pitch, x_here, Line<T>(y, here, 1));
-    for (int s = 15; s < 27; s += 3) {  // lines ahead: (dy, dz) = (1, 0), (-1, 1), (0, 1), (1, 1)
-      const int dy = s / 3 % 3 - 1, dz = s / 9 - 1;
-      if (j + dy < 0 || j + dy >= lines.nodes[1] || k + dz >= lines.nodes[2]) continue;
-      const int there = here + dy + lines.nodes[1] * dz;
-      for (int dx = -1; dx <= 1; ++dx)
-        add_block_both_ways(n, block(s + dx + 1), pitch, x_here, y_here, Line<T>(x, there, dx),
-                            Line<T>(y, there, dx));
+  const auto multiply_lines_of_plane = [=](const int k) {
+    for (int j = 0; j < layout.nodes[1]; ++j) {
+      const int here = j + layout.nodes[1] * k;
+      LineAhead<T> ahead[4];
+      for (int n = 0; n < 4; ++n) {  // (dy, dz) = (1, 0), (-1, 1), (0, 1), (1, 1)
+        const int dy = n == 0 ? 1 : n - 2, dz = n == 0 ? 0 : 1;
+        if (j + dy < 0 || j + dy >= layout.nodes[1] || k + dz >= layout.nodes[2]) continue;
+        const int there = here + dy + layout.nodes[1] * dz;
+        ahead[n].x = x.line(0, there);
+        ahead[n].y = y.line(0, there);
+      }
+      multiply_line(layout.tiles(), values + layout.first(here, 0), x.line(0, here),
+                    y.line(0, here), x.pitch, ahead);
     }
   };
   // A plane of lines adds to itself and to the next: every second one may run at the same time.
-  for (int colour = 0; colour < 2 && colour < lines.nodes[2]; ++colour)
+  for (int colour = 0; colour < 2 && colour < layout.nodes[2]; ++colour)
     Kokkos::parallel_for(
         "stencil product",
         Kokkos::RangePolicy<grid::ExecutionSpace, Kokkos::Schedule<Kokkos::Static>>(
-            0, (lines.nodes[2] - colour + 1) / 2),
-        KOKKOS_LAMBDA(const int pair) {
-          for (int j = 0; j < lines.nodes[1]; ++j) line_product(j, 2 * pair + colour);
-        });
+            0, (layout.nodes[2] - colour + 1) / 2),
+        [=](const int pair) { multiply_lines_of_plane(2 * pair + colour); });
 }
 
 void Stencil::multiply(const NodeField<float>& x, const NodeField<float>& y) const {

@@ -18,7 +18,7 @@ class Stencil {
   Stencil() = default;
   explicit Stencil(const grid::LevelGrid& grid);
 
-  const transfer::StencilLines& lines() const { return lines_; }
+  const transfer::StencilLayout& layout() const { return layout_; }
   const Kokkos::View<float*, Device>& values() const { return values_; }
   void zero() const { Kokkos::deep_copy(values_, 0.0f); }
   std::size_t bytes() const { return sizeof(float) * values_.extent(0); }
@@ -31,7 +31,7 @@ class Stencil {
   template <class T>
   void multiply_in(const grid::NodeField<T>& x, const grid::NodeField<T>& y) const;
 
-  transfer::StencilLines lines_;
+  transfer::StencilLayout layout_;
   Kokkos::View<float*, Device> values_;
 };
 

@@ -15,7 +15,7 @@ StencilMatrix::StencilMatrix(const grid::Halo& halo, const Held& held, double di
 
 transfer::StencilRows<grid::Device> StencilMatrix::begin() {
   stencil_.zero();
-  return {stencil_.lines(), stencil_.values(), held_};
+  return {stencil_.layout(), stencil_.values(), held_};
 }
 
 template <class T>

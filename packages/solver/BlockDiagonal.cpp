@@ -13,7 +13,7 @@ BlockDiagonal::BlockDiagonal(const grid::LevelGrid& grid) {
 }
 
 void BlockDiagonal::compute(const mechanics::Stencil& stencil, const grid::BoxExchange& exchange) {
-  const transfer::StencilLines lines = stencil.lines();
+  const transfer::StencilLayout layout = stencil.layout();
   const float* const values = stencil.values().data();
   const NodeField<float> row[3] = {NodeField<float>("diagonal", exchange.grid()),
                                    NodeField<float>("diagonal", exchange.grid()),
@@ -22,7 +22,8 @@ void BlockDiagonal::compute(const mechanics::Stencil& stencil, const grid::BoxEx
   grid::for_each_line("diagonal blocks", nodes_, [&](const int line, int, int) {
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k)
-        std::copy_n(values + lines.row(line, 3 * i + k), n, row[i].line(k, line));
+        for (int m = 0; m < n; ++m)
+          row[i].line(k, line)[m] = values[layout.place(line, 3 * i + k, m)];
   });
   for (const auto& field : row) exchange.sum(field);
 

@@ -68,16 +68,16 @@ std::int64_t CoarsestGrid::unknown(const std::array<std::int64_t, 3>& node, int 
 
 void CoarsestGrid::factorize(const mechanics::Stencil& stencil, const grid::BoxExchange& exchange) {
   const grid::LevelGrid& grid = exchange.grid();
-  const transfer::StencilLines& lines = stencil.lines();
+  const transfer::StencilLayout& layout = stencil.layout();
   const std::size_t pitch = band_ + 1;
   factor_.assign(unknowns_ * pitch, 0.0);
-  for (int k = 0; k < lines.nodes[2]; ++k)
-    for (int j = 0; j < lines.nodes[1]; ++j)
-      for (int i = 0; i < lines.nodes[0]; ++i)
+  for (int k = 0; k < layout.nodes[2]; ++k)
+    for (int j = 0; j < layout.nodes[1]; ++j)
+      for (int i = 0; i < layout.nodes[0]; ++i)
         for (int s = 13; s < 27; ++s) {
           const int dx = s % 3 - 1, dy = s / 3 % 3 - 1, dz = s / 9 - 1;
-          if (i + dx < 0 || i + dx >= lines.nodes[0] || j + dy < 0 || j + dy >= lines.nodes[1] ||
-              k + dz >= lines.nodes[2])
+          if (i + dx < 0 || i + dx >= layout.nodes[0] || j + dy < 0 || j + dy >= layout.nodes[1] ||
+              k + dz >= layout.nodes[2])
             continue;
           const std::array<std::int64_t, 3> here{grid.first_node(0) + i, grid.first_node(1) + j,
                                                  grid.first_node(2) + k};
@@ -89,9 +89,8 @@ void CoarsestGrid::factorize(const mechanics::Stencil& stencil, const grid::BoxE
               if (row < column) std::swap(row, column);
               factor_[static_cast<std::size_t>(column) * pitch +
                       static_cast<std::size_t>(row - column)] +=
-                  double(
-                      stencil.values()(lines.row(j + lines.nodes[1] * k, 9 * (s - 13) + 3 * a + b) +
-                                       static_cast<std::size_t>(i)));
+                  static_cast<double>(stencil.values()(
+                      layout.place(j + layout.nodes[1] * k, 9 * (s - 13) + 3 * a + b, i)));
             }
         }
   for (std::size_t begin = 0; begin < factor_.size(); begin += 1 << 24)  // counts are ints

@@ -9,34 +9,41 @@
 
 namespace stroma::transfer {
 
-/// The upper half of a symmetric matrix of 3 x 3 blocks on the 3 x 3 x 3 stencil of a box of nodes.
-/// Block s = (dx + 1) + 3 (dy + 1) + 9 (dz + 1) of a node couples it to its neighbour at (dx, dy,
-/// dz); the half is s = 13 (the node itself) to 26, for the others are transposes of neighbours'.
+/// Layout of the upper half of a symmetric matrix of 3 x 3 blocks on the 3 x 3 x 3 stencil of a box
+/// of nodes. Block s = (dx + 1) + 3 (dy + 1) + 9 (dz + 1) of a node couples it to its neighbour at
+/// (dx, dy, dz); the half is s = 13 (the node itself) to 26, for the others are transposes of
+/// neighbours'.
 ///
-/// A line of nodes along x is stored together: 126 rows, one for each entry 9 (s - 13) + 3 i + k,
-/// of as many floats as the line has nodes. What runs along the line then reads the memory in
-/// order, and vectorises over its nodes.
-struct StencilLines {
-  static constexpr int half = 13;         ///< the block of the node itself
+/// Eight nodes in a row along x are a tile, which holds the 126 entries 9 (s - 13) + 3 i + k one
+/// after the other, each for its eight nodes. A product then reads the memory from its first byte
+/// to its last, eight nodes at a time. The last tile of a line is filled up with zeros.
+struct StencilLayout {
+  static constexpr int own = 13;          ///< the block of the node itself
   static constexpr int entries = 9 * 14;  ///< floats a node
+  static constexpr int tile = 8;          ///< nodes
+
   int nodes[3] = {0, 0, 0};
 
-  /// First float of a row: of line j + nodes[1] k, entry 9 (s - 13) + 3 i + k.
-  KOKKOS_INLINE_FUNCTION std::size_t row(int line, int entry) const {
-    return (static_cast<std::size_t>(line) * entries + static_cast<std::size_t>(entry)) *
-           static_cast<std::size_t>(nodes[0]);
+  KOKKOS_INLINE_FUNCTION int tiles() const { return (nodes[0] + tile - 1) / tile; }
+  KOKKOS_INLINE_FUNCTION int lines() const { return nodes[1] * nodes[2]; }
+  /// First float of tile t of line j + nodes[1] k.
+  KOKKOS_INLINE_FUNCTION std::size_t first(int line, int t) const {
+    return (static_cast<std::size_t>(line) * static_cast<std::size_t>(tiles()) +
+            static_cast<std::size_t>(t)) *
+           (entries * tile);
   }
-  int lines() const { return nodes[1] * nodes[2]; }
-  std::size_t count() const { return row(lines(), 0); }
+  /// Entry of node i of a line.
+  KOKKOS_INLINE_FUNCTION std::size_t place(int line, int entry, int i) const {
+    return first(line, i / tile) + static_cast<std::size_t>(entry * tile + i % tile);
+  }
+  std::size_t count() const { return first(lines(), 0); }
 };
 
 /// Adds an element's blocks to a stencil; a rank adds those of its own elements only. Entries in
 /// prescribed rows and columns are left out.
 template <class Device>
 struct StencilRows {
-  using Scalar = float;
-
-  StencilLines lines;
+  StencilLayout layout;
   Kokkos::View<float*, Device> values;                ///< added to
   Kokkos::View<const std::uint8_t*, Device> held_of;  ///< (node) bit c: component c is prescribed
 
@@ -46,13 +53,13 @@ struct StencilRows {
   /// nodes and s(b) their places in the node's stencil.
   template <int Nodes, class Real>
   KOKKOS_INLINE_FUNCTION void add(int node, const Real K[3][3][Nodes], const int s[Nodes]) const {
-    const std::size_t pitch = static_cast<std::size_t>(lines.nodes[0]);
-    float* const first = &values(lines.row(node / lines.nodes[0], 0)) + node % lines.nodes[0];
+    constexpr int tile = StencilLayout::tile;
+    float* const first = &values(layout.place(node / layout.nodes[0], 0, node % layout.nodes[0]));
     for (int b = 0; b < Nodes; ++b) {
-      if (s[b] < StencilLines::half) continue;
-      float* block = first + static_cast<std::size_t>(9 * (s[b] - StencilLines::half)) * pitch;
+      if (s[b] < StencilLayout::own) continue;
+      float* const block = first + 9 * tile * (s[b] - StencilLayout::own);
       for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k, block += pitch) *block += static_cast<float>(K[i][k][b]);
+        for (int k = 0; k < 3; ++k) block[tile * (3 * i + k)] += static_cast<float>(K[i][k][b]);
     }
   }
 };
