@@ -43,6 +43,8 @@ struct StencilLayout {
 /// prescribed rows and columns are left out.
 template <class Device>
 struct StencilRows {
+  using Real = float;
+
   StencilLayout layout;
   Kokkos::View<float*, Device> values;                ///< added to
   Kokkos::View<const std::uint8_t*, Device> held_of;  ///< (node) bit c: component c is prescribed
@@ -51,15 +53,16 @@ struct StencilRows {
 
   /// Adds an element's blocks K(i, k, b) to the rows of one of its nodes, b being the element's
   /// nodes and s(b) their places in the node's stencil.
-  template <int Nodes, class Real>
-  KOKKOS_INLINE_FUNCTION void add(int node, const Real K[3][3][Nodes], const int s[Nodes]) const {
+  template <int Nodes, int Padded>
+  KOKKOS_INLINE_FUNCTION void add(int node, const float (&K)[3][3][Padded],
+                                  const int (&s)[Nodes]) const {
     constexpr int tile = StencilLayout::tile;
     float* const first = &values(layout.place(node / layout.nodes[0], 0, node % layout.nodes[0]));
     for (int b = 0; b < Nodes; ++b) {
       if (s[b] < StencilLayout::own) continue;
       float* const block = first + 9 * tile * (s[b] - StencilLayout::own);
       for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) block[tile * (3 * i + k)] += static_cast<float>(K[i][k][b]);
+        for (int k = 0; k < 3; ++k) block[tile * (3 * i + k)] += K[i][k][b];
     }
   }
 };
