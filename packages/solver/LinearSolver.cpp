@@ -3,6 +3,7 @@
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
@@ -36,7 +37,7 @@ void LinearSolver::set_tangent(const grid::RCP<const Operator>& tangent) {
   const bool is_first = tangent_ == Teuchos::null;
   tangent_ = tangent;
   is_fresh_ = false;
-  const bool works_still = 2 * last_iterations_ <= 3 * iterations_when_fresh_ + 4;
+  const bool works_still = last_iterations_ <= 1.5 * iterations_when_fresh_ + 0.5;
   if (is_first || !preconditioner_->worth_keeping() || !works_still) renew_preconditioner();
 }
 
@@ -44,7 +45,7 @@ void LinearSolver::renew_preconditioner() {
   const base::Stage stage("preconditioner");
   preconditioner_->compute(tangent_);
   is_fresh_ = true;
-  iterations_when_fresh_ = 0;
+  iterations_when_fresh_ = 0.0;
 }
 
 LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& x,
@@ -57,6 +58,7 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     nothing_to_do.converged = true;
     return nothing_to_do;
   }
+  tolerance = std::max(tolerance, forcing_);
   LinearResult result = run_belos(*preconditioner_, b, x, tolerance);
   if (!result.converged && !is_fresh_) {
     renew_preconditioner();
@@ -74,8 +76,9 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     result = run_belos(*plain, b, x, tolerance);
   }
   if (result.indefinite) throw base::StepRejected("conjugate gradients met an indefinite tangent");
-  last_iterations_ = result.iterations;
-  if (is_fresh_) iterations_when_fresh_ = std::max(iterations_when_fresh_, result.iterations);
+  const double digits = std::max(1.0, -std::log10(tolerance));
+  last_iterations_ = result.iterations / digits;
+  if (is_fresh_) iterations_when_fresh_ = std::max(iterations_when_fresh_, last_iterations_);
   return result;
 }
 

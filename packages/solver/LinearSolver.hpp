@@ -26,6 +26,9 @@ class LinearSolver {
   /// iterations again as when it was new. Collective.
   void set_tangent(const grid::RCP<const Operator>& tangent);
 
+  /// Solves to come stop at this tolerance where it is looser than the one that is asked for.
+  void set_forcing(double tolerance) { forcing_ = tolerance; }
+
   /// Solves from x = 0 until ||residual|| <= tolerance * ||b||. Collective.
   /// A preconditioner that turns out to be indefinite is replaced by Jacobi for the solve.
   /// \throws base::StepRejected when the tangent is indefinite
@@ -43,9 +46,10 @@ class LinearSolver {
   std::unique_ptr<Preconditioner> preconditioner_;
   grid::RCP<const Operator> tangent_;
   long long total_iterations_ = 0;
-  bool is_fresh_ = false;  // the preconditioner was made for the present values
-  int iterations_when_fresh_ = 0;
-  int last_iterations_ = 0;
+  bool is_fresh_ = false;               // the preconditioner was made for the present values
+  double iterations_when_fresh_ = 0.0;  // per digit, as the next
+  double last_iterations_ = 0.0;
+  double forcing_ = 0.0;
 };
 
 }  // namespace stroma::solver

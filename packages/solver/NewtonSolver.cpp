@@ -4,6 +4,7 @@
 #include <NOX_Thyra.H>
 
 #include <Thyra_TpetraThyraWrappers.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "base/Error.hpp"
@@ -66,6 +67,26 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
                              : mechanics::TangentForm::compressed_rows);
 }
 
+/// How well the next Newton step is worth solving for: its linear error need not be much smaller
+/// than its nonlinear one, which Newton's quadratic order tells from the last steps, nor than what
+/// convergence asks for. Solving no better than that leaves the answer and the number of steps as
+/// they are.
+void NewtonSolver::choose_forcing() {
+  if (parameters_.forcing == Forcing::constant) return;
+  const std::size_t n = residual_history_.size();
+  const double now = residual_history_.back();
+  if (n > 1) {
+    const double before = residual_history_[n - 2];
+    if (now > 2.0 * last_forcing_ * before && now < before) nonlinearity_ = now / (before * before);
+  }
+  const double nonlinear_error = nonlinearity_ * now * now;
+  const double goal = nonlinear_error < parameters_.newton_tolerance
+                          ? 0.01 * parameters_.newton_tolerance
+                          : 0.3 * nonlinear_error;
+  last_forcing_ = now > 0.0 ? std::clamp(goal / now, parameters_.linear_tolerance, 1e-2) : 1e-2;
+  linear_solver_.set_forcing(last_forcing_);
+}
+
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   residual_history_.clear();
   const auto measure = [&](const NOX::Abstract::Group& group) {
@@ -74,6 +95,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
     const double norm = group.getNormF();
     const double relative = norm == 0.0 ? 0.0 : norm / largest_reaction_;
     residual_history_.push_back(relative);
+    choose_forcing();
     if (progress_)
       progress_(static_cast<int>(residual_history_.size()) - 1, relative,
                 linear_solver_.total_iterations() - reported_iterations_);
@@ -123,6 +145,8 @@ void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_chang
   balance_->residual(u, r);
   rhs.update(-1.0, r, -1.0);
   balance_->supports().clear(rhs);
+  // The residual that the predictor leaves is nonlinear; Newton's first step sees to the rest.
+  linear_solver_.set_forcing(parameters_.forcing == Forcing::constant ? 0.0 : 1e-3);
   linear_solver_.solve(rhs, du, parameters_.linear_tolerance);
   u.update(1.0, du, 1.0, prescribed_change, 1.0);
 }

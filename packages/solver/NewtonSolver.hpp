@@ -49,7 +49,12 @@ class NewtonSolver {
   Progress progress_;
   LinearSolver linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
+  void choose_forcing();
+
   long long reported_iterations_ = 0;
+  /// ||residual|| after an exact Newton step / that before^2, both relative to the reactions.
+  double nonlinearity_ = 0.01;
+  double last_forcing_ = 0.0;
   double largest_reaction_ = 0.0;
   std::vector<double> residual_history_;
 };

@@ -15,6 +15,11 @@ deck::Section<SolverParameters> solver_section() {
   section.optional("Linear Tolerance", &SolverParameters::linear_tolerance,
                    deck::strictly_between(0.0, 1.0),
                    "Conjugate gradients stop at ||residual|| <= this * ||right-hand side||.");
+  section.choice("Forcing", &SolverParameters::forcing,
+                 {{"Adaptive", Forcing::adaptive}, {"Constant", Forcing::constant}},
+                 "Adaptive: a Newton step is solved no better than its nonlinear error and the "
+                 "Newton Tolerance are worth, at best to the Linear Tolerance; Constant: always to "
+                 "the Linear Tolerance.");
   section.optional("Linear Iterations", &SolverParameters::linear_iterations, deck::at_least(1),
                    "Conjugate gradient iterations after which a linear solve is given up.");
   section.choice(
