@@ -8,8 +8,6 @@
 namespace stroma::solver {
 namespace {
 
-constexpr int smoother_degree = 3;
-constexpr double direct_work = 3e8;  // operations; a level that takes fewer is the coarsest
 constexpr double direct_size = 3e7;  // doubles; a coarsest level with more is smoothed instead
 constexpr int coarsest_degree = 16;
 
@@ -40,20 +38,21 @@ GeometricMultigrid::Level::Level(const base::Communicator& communicator,
       smoother(grid, degree) {}
 
 GeometricMultigrid::GeometricMultigrid(const grid::RCP<const mechanics::StencilMatrix>& matrix,
-                                       const std::array<double, 3>& spacing)
+                                       const std::array<double, 3>& spacing,
+                                       const MultigridSettings& settings)
     : matrix_(matrix) {
   std::array<double, 3> size = spacing;
   grid::LevelGrid grid = matrix->exchange().grid();
   const auto& communicator = matrix->exchange().communicator();
   while (true) {
-    const auto directions = CoarsestGrid::work(grid) > direct_work
+    const auto directions = CoarsestGrid::work(grid) > settings.direct_work
                                 ? directions_to_coarsen(grid, size)
                                 : std::array<bool, 3>{false, false, false};
     const bool is_coarsest = directions == std::array<bool, 3>{false, false, false};
     const bool is_direct = is_coarsest && CoarsestGrid::size(grid) <= direct_size;
-    levels_.push_back(
-        std::make_unique<Level>(communicator, grid, levels_.empty(),
-                                is_coarsest && !is_direct ? coarsest_degree : smoother_degree));
+    levels_.push_back(std::make_unique<Level>(
+        communicator, grid, levels_.empty(),
+        is_coarsest && !is_direct ? coarsest_degree : settings.smoother_degree));
     if (is_direct) coarsest_.emplace(grid);
     if (is_coarsest) break;
     levels_.back()->transfer.emplace(grid, directions);

@@ -21,6 +21,12 @@ namespace stroma::solver {
 std::array<bool, 3> directions_to_coarsen(const grid::LevelGrid& grid,
                                           std::array<double, 3>& spacing);
 
+struct MultigridSettings {
+  int smoother_degree = 3;
+  /// Operations to factorise a level: the first that takes at most so many is the coarsest.
+  double direct_work = 3e8;
+};
+
 /// One V-cycle as an operator M^-1: symmetric, positive definite while the tangent is, in single
 /// precision inside. Trilinear interpolation P in logical space, coarse operators P^T K P,
 /// Chebyshev smoothing over block Jacobi, a direct solve on the coarsest level.
@@ -33,8 +39,8 @@ std::array<bool, 3> directions_to_coarsen(const grid::LevelGrid& grid,
 /// of all that again for the coarser levels.
 class GeometricMultigrid : public Operator {
  public:
-  explicit GeometricMultigrid(const grid::RCP<const mechanics::StencilMatrix>& matrix,
-                              const std::array<double, 3>& spacing);
+  GeometricMultigrid(const grid::RCP<const mechanics::StencilMatrix>& matrix,
+                     const std::array<double, 3>& spacing, const MultigridSettings& settings = {});
 
   /// Adapts to the tangent's present values. Collective.
   void compute();

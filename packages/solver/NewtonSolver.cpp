@@ -69,21 +69,25 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
 
 /// How well the next Newton step is worth solving for: its linear error need not be much smaller
 /// than its nonlinear one, which Newton's quadratic order tells from the last steps, nor than what
-/// convergence asks for. Solving no better than that leaves the answer and the number of steps as
-/// they are.
+/// convergence asks for. A digit costs a good preconditioner little more than one iteration and
+/// another Newton step an assembly, so that in doubt the step is solved better.
 void NewtonSolver::choose_forcing() {
   if (parameters_.forcing == Forcing::constant) return;
   const std::size_t n = residual_history_.size();
   const double now = residual_history_.back();
   if (n > 1) {
     const double before = residual_history_[n - 2];
-    if (now > 2.0 * last_forcing_ * before && now < before) nonlinearity_ = now / (before * before);
+    const double seen = now / (before * before);
+    const bool is_nonlinear = now > 2.0 * last_forcing_ * before;  // else a bound from above
+    if (now < before) nonlinearity_ = is_nonlinear ? seen : std::min(nonlinearity_, seen);
   }
   const double nonlinear_error = nonlinearity_ * now * now;
   const double goal = nonlinear_error < parameters_.newton_tolerance
                           ? 0.01 * parameters_.newton_tolerance
-                          : 0.3 * nonlinear_error;
-  last_forcing_ = now > 0.0 ? std::clamp(goal / now, parameters_.linear_tolerance, 1e-2) : 1e-2;
+                          : 0.1 * nonlinear_error;
+  constexpr double loosest = 1e-3;
+  last_forcing_ =
+      now > 0.0 ? std::max(std::min(goal / now, loosest), parameters_.linear_tolerance) : loosest;
   linear_solver_.set_forcing(last_forcing_);
 }
 

@@ -61,8 +61,10 @@ struct StencilRows {
     for (int b = 0; b < Nodes; ++b) {
       if (s[b] < StencilLayout::own) continue;
       float* const block = first + 9 * tile * (s[b] - StencilLayout::own);
+      const bool is_own = s[b] == StencilLayout::own;  // stored in full: symmetric to the last bit
       for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) block[tile * (3 * i + k)] += K[i][k][b];
+        for (int k = 0; k < 3; ++k)
+          block[tile * (3 * i + k)] += is_own && i > k ? K[k][i][b] : K[i][k][b];
     }
   }
 };
