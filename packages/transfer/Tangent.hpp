@@ -117,20 +117,26 @@ struct Tangent {
     KOKKOS_INLINE_FUNCTION void add(const ParticlePoint<Shape>& point,
                                     const material::IsotropicTangent& a) {
       const int m = count++;
-      const double volume = point.volume;
-      symmetric[m] = static_cast<Real>(volume * a.symmetric);
+      const auto volume = static_cast<Real>(point.volume);
+      const auto vol = static_cast<Real>(a.volumetric), sym = static_cast<Real>(a.symmetric);
+      symmetric[m] = volume * sym;
       for (int c = 0; c < 3; ++c) {
-        for (int b = 0; b < n; ++b) {
-          const double g0 = point.gradient[0][b], g1 = point.gradient[1][b],
-                       g2 = point.gradient[2][b], gc = point.gradient[c][b];
-          const double sg = -2.0 / 3.0 * (a.s(c, 0) * g0 + a.s(c, 1) * g1 + a.s(c, 2) * g2);
-          const double tau_g = a.tau(c, 0) * g0 + a.tau(c, 1) * g1 + a.tau(c, 2) * g2;
-          g[m][c][b] = static_cast<Real>(gc);
-          p[m][c][b] = static_cast<Real>(volume * (a.volumetric * gc + sg));
-          q[m][c][b] = static_cast<Real>(volume * sg);
-          t[m][c][b] = static_cast<Real>(volume * (a.symmetric * gc + tau_g));
+        for (int b = 0; b < n; ++b) g[m][c][b] = static_cast<Real>(point.gradient[c][b]);
+        for (int b = n; b < padded; ++b) g[m][c][b] = 0;
+      }
+      for (int c = 0; c < 3; ++c) {
+        Real s[3], tau[3];
+        for (int d = 0; d < 3; ++d) {
+          s[d] = static_cast<Real>(-2.0 / 3.0 * a.s(c, d));
+          tau[d] = static_cast<Real>(a.tau(c, d));
         }
-        for (int b = n; b < padded; ++b) g[m][c][b] = p[m][c][b] = q[m][c][b] = t[m][c][b] = 0;
+        for (int b = 0; b < padded; ++b) {
+          const Real sg = s[0] * g[m][0][b] + s[1] * g[m][1][b] + s[2] * g[m][2][b];
+          const Real tau_g = tau[0] * g[m][0][b] + tau[1] * g[m][1][b] + tau[2] * g[m][2][b];
+          p[m][c][b] = volume * (vol * g[m][c][b] + sg);
+          q[m][c][b] = volume * sg;
+          t[m][c][b] = volume * (sym * g[m][c][b] + tau_g);
+        }
       }
     }
 
