@@ -45,23 +45,27 @@ output::ParticleSet Results::particle_set() const {
           particles.id.data(), particles.material.data()};
 }
 
-output::HistoryRow Results::with_figures(
-    output::HistoryRow row, const particles::Particles<grid::Device>& particles,
-    const transfer::ParticleFields<grid::Device>& fields) const {
+output::HistoryRow Results::with_figures(output::HistoryRow row,
+                                         const mechanics::MomentumBalance& balance,
+                                         const grid::Vector& u) const {
+  const auto& particles = balance.particles();
   std::vector<double> sums(2 * materials_.size() + 1, 0.0);  // volume, stress * volume; energy
   std::vector<double> largest(materials_.size(), 0.0);
-  for (int p = 0; p < particles.count(); ++p) {
-    const std::size_t m = particles.material(p);
-    const double volume = fields.jacobian(p) * particles.volume(p);
-    const double s[6] = {fields.stress(p, 0), fields.stress(p, 1), fields.stress(p, 2),
-                         fields.stress(p, 3), fields.stress(p, 4), fields.stress(p, 5)};
-    const double von_mises =
-        tensor::von_mises({{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}});
-    sums[2 * m] += volume;
-    sums[2 * m + 1] += von_mises * volume;
-    sums.back() += fields.energy(p) * particles.volume(p);
-    largest[m] = std::max(largest[m], von_mises);
-  }
+  balance.field_layers(u)([&](int first, const transfer::ParticleFields<grid::Device>& fields) {
+    const auto count = static_cast<int>(fields.jacobian.extent(0));
+    for (int n = 0; n < count; ++n) {
+      const int p = first + n;
+      const std::size_t m = particles.material(p);
+      const double volume = fields.jacobian(n) * particles.volume(p);
+      const auto s = [&](int c) { return fields.stress(n, c); };
+      const double von_mises =
+          tensor::von_mises({{{s(0), s(3), s(5)}, {s(3), s(1), s(4)}, {s(5), s(4), s(2)}}});
+      sums[2 * m] += volume;
+      sums[2 * m + 1] += von_mises * volume;
+      sums.back() += fields.energy(n) * particles.volume(p);
+      largest[m] = std::max(largest[m], von_mises);
+    }
+  });
   communicator_.sum_all(sums.data(), sums.size());
   row.strain_energy = sums.back();
   for (std::size_t m = 0; m < materials_.size(); ++m) {
@@ -74,17 +78,14 @@ output::HistoryRow Results::with_figures(
 
 void Results::write(output::HistoryRow row, const mechanics::MomentumBalance& balance,
                     const grid::Vector& u) {
-  const auto fields = balance.particle_fields(u);
   grid::Vector force(balance.owned_map());
   balance.unbalanced_force(u, force);
   row.reactions = balance.supports().reactions(force);
-  rows_.push_back(with_figures(std::move(row), balance.particles(), fields));
+  rows_.push_back(with_figures(std::move(row), balance, u));
   history_.append(rows_.back());
 
   const auto& when = deck_->parameters.output;
-  if (output::is_due(rows_.back().step, when.particles_every, false))
-    write_particles(
-        in_home_order(communicator_, balance.particles(), fields, specimen_->particles.count()));
+  if (output::is_due(rows_.back().step, when.particles_every, false)) write_particles(balance, u);
   if (output::is_due(rows_.back().step, when.grid_every, false)) write_grid(balance, u);
 }
 
@@ -97,13 +98,29 @@ output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fie
 
 }  // namespace
 
-void Results::write_particles(const transfer::ParticleFields<grid::Device>& fields) {
+output::StatePieces Results::states(const mechanics::MomentumBalance& balance,
+                                    const grid::Vector& u) const {
+  if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
+    const auto fields = in_home_order(communicator_, balance.particles(),
+                                      balance.particle_fields(u), specimen_->particles.count());
+    return [fields](const auto& use) {
+      use(0, static_cast<std::int64_t>(fields.jacobian.extent(0)), state_of(fields));
+    };
+  }
+  return [layers = balance.field_layers(u)](const auto& use) {
+    layers([&](int first, const transfer::ParticleFields<grid::Device>& fields) {
+      use(first, static_cast<std::int64_t>(fields.jacobian.extent(0)), state_of(fields));
+    });
+  };
+}
+
+void Results::write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u) {
   const base::Stage stage("output");
   if (!particle_file_)
     particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                            output::history_columns(conditions_, materials_), provenance_,
                            deck_->parameters.output.precision);
-  particle_file_->write(rows_.back().load, particle_set(), state_of(fields),
+  particle_file_->write(rows_.back().load, particle_set(), states(balance, u),
                         output::history_values(rows_.back()));
   particles_step_ = rows_.back().step;
 }
@@ -150,9 +167,7 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
 
 void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
-  const auto fields = in_home_order(communicator_, balance.particles(), balance.particle_fields(u),
-                                    specimen_->particles.count());
-  if (particles_step_ != rows_.back().step) write_particles(fields);
+  if (particles_step_ != rows_.back().step) write_particles(balance, u);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
   const grid::Grid& grid = specimen_->partition.grid();
   const auto moving =
@@ -161,7 +176,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
   if (deck_->parameters.output.pictures) {
     std::vector<std::string> notes{
         pictures_.draw_materials(particle_set(), materials_),
-        pictures_.draw_von_mises(particle_set(), state_of(fields), rows_.back().load)};
+        pictures_.draw_von_mises(particle_set(), states(balance, u), rows_.back().load)};
     if (!moving.empty()) notes.push_back(pictures_.draw_force(moving, rows_));
     for (const std::string& note : notes)
       if (!note.empty()) log_->note(note);

@@ -39,10 +39,12 @@ class Results {
 
  private:
   output::ParticleSet particle_set() const;
-  output::HistoryRow with_figures(output::HistoryRow row,
-                                  const particles::Particles<grid::Device>& particles,
-                                  const transfer::ParticleFields<grid::Device>& fields) const;
-  void write_particles(const transfer::ParticleFields<grid::Device>& fields);
+  output::HistoryRow with_figures(output::HistoryRow row, const mechanics::MomentumBalance& balance,
+                                  const grid::Vector& u) const;
+  /// The particles' states in the order of particle_set(), good until the balance is used again.
+  output::StatePieces states(const mechanics::MomentumBalance& balance,
+                             const grid::Vector& u) const;
+  void write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void open_grid_file(const mechanics::MomentumBalance& balance);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void print_bounds() const;

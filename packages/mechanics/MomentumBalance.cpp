@@ -344,6 +344,26 @@ transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(
   return fields;
 }
 
+std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field_layers(
+    const grid::Vector& u) const {
+  return [at_u = elements(u), law = law_](const FieldVisitor& visit) {
+    const base::Stage stage("grid to particles");
+    const transfer::ElementBox& box = at_u.box;
+    const auto element_begin =
+        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), at_u.particles.element_begin);
+    for (int k = 0; k < box.elements[2]; ++k) {
+      const int first = element_begin(box.element(0, 0, k));
+      const int count = element_begin(box.element(0, 0, k + 1)) - first;
+      if (count == 0) continue;
+      const transfer::GridToParticles<Shape, Law, Device> kernel{
+          at_u, law, transfer::ParticleFields<Device>(count), first};
+      transfer::for_each_element_of_layer<grid::ExecutionSpace>("grid to particles", box, k,
+                                                                kernel);
+      visit(first, kernel.fields);
+    }
+  };
+}
+
 WorstParticle MomentumBalance::worst_particle(const grid::Vector& u) const {
   const auto jacobian =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particle_fields(u).jacobian);

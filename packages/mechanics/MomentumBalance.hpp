@@ -6,6 +6,7 @@
 
 #include <Teuchos_RCP.hpp>
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -115,6 +116,12 @@ class MomentumBalance {
 
   /// Results at this rank's particles.
   transfer::ParticleFields<Device> particle_fields(const grid::Vector& u) const;
+  /// The same, one layer of elements along z at a time, so that nobody keeps them all: a function
+  /// that calls visit(first particle, fields of the layer) for each layer that holds particles, in
+  /// the order of the particles, as often as it is called. Making it is collective, calling it is
+  /// not; it is good until the next call of a member function.
+  using FieldVisitor = std::function<void(int, const transfer::ParticleFields<Device>&)>;
+  std::function<void(const FieldVisitor&)> field_layers(const grid::Vector& u) const;
   WorstParticle worst_particle(const grid::Vector& u) const;
 
  private:

@@ -92,8 +92,8 @@ class ExodusFile {
   std::string path_;
 };
 
-/// Whether this rank holds files that could not be closed, as on a full disk. A process with such a file
-/// must end without MPI_Finalize, in which HDF5 would try to close it again and crash.
+/// Whether this rank holds files that could not be closed, as on a full disk. A process with such a
+/// file must end without MPI_Finalize, in which HDF5 would try to close it again and crash.
 bool files_are_stuck();
 
 /// Name of the file that one rank writes: `path` alone for one rank; else the name that nem_spread

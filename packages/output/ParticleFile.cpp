@@ -40,24 +40,33 @@ void evaluate(const ParticleState& state, std::int64_t p, double* out, std::int6
   for (int i = 0; i < 3; ++i) put(principal(i));
 }
 
-/// Calls use(start, members) for the particles of one material, in pieces and in order; start
+/// Calls use(members) for the particles of one material among those from `first` to `end`, in
+/// pieces and in order.
+template <class Use>
+void for_members(const ParticleSet& particles, std::size_t material, std::int64_t first,
+                 std::int64_t end, const Use& use) {
+  std::vector<std::int64_t> members;
+  for (std::int64_t p = first; p < end; ++p) {
+    if (particles.material[p] != material) continue;
+    members.push_back(p);
+    if (static_cast<std::int64_t>(members.size()) == ExodusFile::piece) {
+      use(members);
+      members.clear();
+    }
+  }
+  if (!members.empty()) use(members);
+}
+
+/// Calls use(start, members) for all particles of one material, in pieces and in order; start
 /// counts the block's elements from 1.
 template <class Use>
 void in_pieces_of_block(const ParticleSet& particles, std::size_t material, const Use& use) {
-  std::vector<std::int64_t> members;
   std::int64_t start = 1;
-  const auto hand_over = [&] {
-    if (members.empty()) return;
+  for_members(particles, material, 0, particles.count, [&](std::vector<std::int64_t>& members) {
+    const auto size = static_cast<std::int64_t>(members.size());
     use(start, members);
-    start += static_cast<std::int64_t>(members.size());
-    members.clear();
-  };
-  for (std::int64_t p = 0; p < particles.count; ++p) {
-    if (particles.material[p] != material) continue;
-    members.push_back(p);
-    if (static_cast<std::int64_t>(members.size()) == ExodusFile::piece) hand_over();
-  }
-  hand_over();
+    start += size;
+  });
 }
 
 void put_nodes(const ExodusFile& file, const ParticleSet& particles) {
@@ -177,7 +186,11 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
   });
 }
 
-void ParticleFile::write(double load, const ParticleSet& particles, const ParticleState& state,
+StatePieces in_one_piece(std::int64_t count, const ParticleState& state) {
+  return [count, state](const auto& use) { use(0, count, state); };
+}
+
+void ParticleFile::write(double load, const ParticleSet& particles, const StatePieces& states,
                          const std::vector<double>& globals) {
   base::collectively(communicator_, [&] {
     if (particles.count != count_ || globals.size() != globals_) {
@@ -194,24 +207,29 @@ void ParticleFile::write(double load, const ParticleSet& particles, const Partic
                             globals.data()),
                  "the global variables");
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      file.put_variable(step, EX_NODAL, axis + 1, 1, count_,
-                        [&](std::int64_t p) { return state.displacement[3 * p + axis]; });
-    }
-    const auto variables = static_cast<int>(element_variables.size());
+    std::vector<std::int64_t> start(materials_, 1);  // next element of each block
     std::vector<double> buffer;
-    for (std::size_t m = 0; m < materials_; ++m) {
-      in_pieces_of_block(particles, m, [&](std::int64_t start, const auto& members) {
-        const auto size = static_cast<std::int64_t>(members.size());
-        buffer.resize(static_cast<std::size_t>(size * variables));
-        double* column = buffer.data();
-        for (const std::int64_t p : members) evaluate(state, p, column++, size);
-        for (int v = 0; v < variables; ++v) {
-          file.put_piece(step, EX_ELEM_BLOCK, v + 1, static_cast<std::int64_t>(m + 1), start, size,
-                         buffer.data() + v * size);
-        }
-      });
-    }
+    const auto variables = static_cast<int>(element_variables.size());
+    states([&](std::int64_t first, std::int64_t count, const ParticleState& state) {
+      for (int axis = 0; axis < 3; ++axis)
+        ExodusFile::in_pieces<double>(
+            count, [&](std::int64_t p) { return state.displacement[3 * p + axis]; },
+            [&](std::int64_t begin, std::int64_t size, const double* values) {
+              file.put_piece(step, EX_NODAL, axis + 1, 1, first + begin, size, values);
+            });
+      for (std::size_t m = 0; m < materials_; ++m) {
+        for_members(particles, m, first, first + count, [&](const auto& members) {
+          const auto size = static_cast<std::int64_t>(members.size());
+          buffer.resize(static_cast<std::size_t>(size * variables));
+          double* column = buffer.data();
+          for (const std::int64_t p : members) evaluate(state, p - first, column++, size);
+          for (int v = 0; v < variables; ++v)
+            file.put_piece(step, EX_ELEM_BLOCK, v + 1, static_cast<std::int64_t>(m + 1), start[m],
+                           size, buffer.data() + v * size);
+          start[m] += size;
+        });
+      }
+    });
     file.close();
   });
   ++steps_;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,16 @@ struct ParticleState {
   const double* jacobian = nullptr;               ///< (particle) det F [-]
   const double* strain_energy_density = nullptr;  ///< (particle) W per reference volume [Pa]
 };
+
+/// Hands out the states of all particles of a rank in pieces: calls use(first, count, state) for
+/// consecutive ranges that together are the whole set; state's pointers begin at the particle
+/// `first`. So nobody has to keep the state of all particles at once. Does not communicate.
+using StatePieces =
+    std::function<void(const std::function<void(std::int64_t first, std::int64_t count,
+                                                const ParticleState& state)>& use)>;
+
+/// The one piece that is everything.
+StatePieces in_one_piece(std::int64_t count, const ParticleState& state);
 
 /// Writes particles.e, or under N > 1 ranks the spread files particles.e.N.r.
 ///
@@ -59,10 +70,11 @@ class ParticleFile {
 
   /// Adds one step. Collective.
   /// \param particles  the same particles, in the same order, as at construction
+  /// \param states     in pieces of any size
   /// \param load       load factor, larger than that of the step before
   /// \param globals    one value for each global variable: history_values()
   /// \throws RunError on all ranks, naming the file and what could not be written
-  void write(double load, const ParticleSet& particles, const ParticleState& state,
+  void write(double load, const ParticleSet& particles, const StatePieces& states,
              const std::vector<double>& globals);
 
   /// Steps written so far.

@@ -141,18 +141,22 @@ std::string Pictures::draw_materials(const ParticleSet& particles,
   return draw("vessels", raster_bytes(raster), "raw", script);
 }
 
-std::string Pictures::draw_von_mises(const ParticleSet& particles, const ParticleState& state,
+std::string Pictures::draw_von_mises(const ParticleSet& particles, const StatePieces& states,
                                      double load) const {
   double z = 0.0;
   const auto layer = middle_layer(communicator_, particles, spacing_[2], &z);
   std::vector<SlicePoint> points;
-  for (const std::int64_t p : layer) {
-    const double* s = state.stress + 6 * p;
-    const tensor::Tensor3 stress{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
-    points.push_back({{particles.position[3 * p] + state.displacement[3 * p],
-                       particles.position[3 * p + 1] + state.displacement[3 * p + 1]},
-                      tensor::von_mises(stress)});
-  }
+  auto next = layer.begin();  // members of the layer come in ascending order
+  states([&](std::int64_t first, std::int64_t count, const ParticleState& state) {
+    for (; next != layer.end() && *next < first + count; ++next) {
+      const std::int64_t p = *next;
+      const double* s = state.stress + 6 * (p - first);
+      const double* u = state.displacement + 3 * (p - first);
+      const tensor::Tensor3 stress{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
+      points.push_back({{particles.position[3 * p] + u[0], particles.position[3 * p + 1] + u[1]},
+                        tensor::von_mises(stress)});
+    }
+  });
   const Raster raster = rasterise(communicator_, points, extent_of(communicator_, particles, layer),
                                   {spacing_[0], spacing_[1]}, Merge::Mean);
   if (raster.columns == 0) return "von_mises.png was not drawn: there are no particles";

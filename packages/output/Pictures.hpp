@@ -41,7 +41,7 @@ class Pictures {
   /// von_mises.png: von Mises stress [Pa] of the middle layer's particles at their current
   /// positions. The colour scale ends at the 99.5th percentile of the pixels when larger values are
   /// rare peaks.
-  std::string draw_von_mises(const ParticleSet& particles, const ParticleState& state,
+  std::string draw_von_mises(const ParticleSet& particles, const StatePieces& states,
                              double load) const;
 
   /// force.png: the component of each moving support's reaction along its displacement, against

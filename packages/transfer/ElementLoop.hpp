@@ -67,4 +67,19 @@ std::int64_t for_each_element(const std::string& name, const ElementBox& box,
   return bad;
 }
 
+/// Runs functor(i, j, k, bad) on the elements of one layer k, in no order: for functors that write
+/// to nothing but their own element's particles.
+template <class Space, class Functor>
+std::int64_t for_each_element_of_layer(const std::string& name, const ElementBox& box, int k,
+                                       const Functor& functor) {
+  std::int64_t bad = 0;
+  Kokkos::parallel_reduce(
+      name, Kokkos::RangePolicy<Space>(0, box.elements[1]),
+      KOKKOS_LAMBDA(const int j, std::int64_t& sum) {
+        for (int i = 0; i < box.elements[0]; ++i) functor(i, j, k, sum);
+      },
+      bad);
+  return bad;
+}
+
 }  // namespace stroma::transfer

@@ -8,7 +8,7 @@
 
 namespace stroma::transfer {
 
-/// Results at the particles of a rank, by local number.
+/// Results at consecutive particles of a rank.
 template <class Device>
 struct ParticleFields {
   Kokkos::View<double* [3], Kokkos::LayoutRight, Device>
@@ -25,13 +25,14 @@ struct ParticleFields {
         energy(Kokkos::view_alloc("energy", Kokkos::WithoutInitializing), count) {}
 };
 
-/// Fills ParticleFields: u_p = u_base + sum_I N_I U_I, and the law at H. Each particle is written
-/// by its own element alone: nothing is atomic.
+/// Fills ParticleFields, whose entry 0 is the particle `first`: u_p = u_base + sum_I N_I U_I, and
+/// the law at H. Each particle is written by its own element alone: nothing is atomic.
 template <class Shape, class Law, class Device>
 struct GridToParticles {
   ElementParticles<Shape, Device> elements;
   Kokkos::View<const Law*, Device> law;
   ParticleFields<Device> fields;
+  int first = 0;
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double u[3][Shape::nodes];
@@ -42,15 +43,15 @@ struct GridToParticles {
       for (int c = 0; c < 3; ++c) {
         double sum = has_base ? elements.particles.base_displacement(p, c) : 0.0;
         for (int a = 0; a < Shape::nodes; ++a) sum += point.value[a] * u[c][a];
-        fields.displacement(p, c) = sum;
+        fields.displacement(p - first, c) = sum;
       }
       const Law& material = law(point.material);
       const Tensor3 sigma = material.cauchy_stress(point.H);
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};
-      for (int c = 0; c < 6; ++c) fields.stress(p, c) = components[c];
-      fields.jacobian(p) = 1.0 + tensor::det_minus_one(point.H);
-      fields.energy(p) = material.energy(point.H);
+      for (int c = 0; c < 6; ++c) fields.stress(p - first, c) = components[c];
+      fields.jacobian(p - first) = 1.0 + tensor::det_minus_one(point.H);
+      fields.energy(p - first) = material.energy(point.H);
     });
   }
 };

@@ -7,10 +7,10 @@
 #include <map>
 #include <set>
 
-#include "support/ExodusReader.hpp"
 #include "TemporaryFolder.hpp"
 #include "base/Error.hpp"
 #include "output/GridFile.hpp"
+#include "support/ExodusReader.hpp"
 
 namespace stroma {
 namespace {

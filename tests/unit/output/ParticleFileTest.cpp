@@ -4,14 +4,15 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 
-#include "support/ExodusReader.hpp"
 #include "TemporaryFolder.hpp"
 #include "base/Error.hpp"
 #include "output/ParticleFile.hpp"
+#include "support/ExodusReader.hpp"
 
 namespace stroma {
 namespace {
@@ -48,6 +49,16 @@ struct Sample {
     set.material = material.data();
     state = {displacement.data(), stress.data(), jacobian.data(), energy.data()};
   }
+  /// The state seven particles at a time, as if it were computed on the way.
+  output::StatePieces in_pieces() const {
+    return [this](const auto& use) {
+      for (std::int64_t first = 0; first < set.count; first += 7)
+        use(first, std::min<std::int64_t>(7, set.count - first),
+            {state.displacement + 3 * first, state.stress + 6 * first, state.jacobian + first,
+             state.strain_energy_density + first});
+    };
+  }
+
   static double stress_of(std::int64_t global, int i) {
     return std::sin(0.1 * static_cast<double>(global % 1000) + i) * 500.0;
   }
@@ -127,7 +138,7 @@ TEST(ParticleFile, HoldsEveryStepAtOnceReadable) {
   EXPECT_EQ(ExodusReader(own_file(folder / "p.e")).steps(), 0);
   for (int step = 1; step <= 3; ++step) {
     const double load = 0.1 * step;
-    file.write(load, sample.set, sample.state, {1.0 * step, load, -1.0 / 3.0});
+    file.write(load, sample.set, sample.in_pieces(), {1.0 * step, load, -1.0 / 3.0});
     // The writer is alive and in the middle of its run, as if it were killed now.
     const ExodusReader reader(own_file(folder / "p.e"));
     ASSERT_EQ(reader.steps(), step);
@@ -192,7 +203,7 @@ TEST(ParticleFile, WritesBlocksLongerThanTheBuffer) {
   const Sample sample(2 * output::ExodusFile::piece + 17);
   output::ParticleFile file(base::Communicator::world(), folder / "p.e", sample.set, materials,
                             global_names, provenance);
-  file.write(1.0, sample.set, sample.state, {0, 0, 0});
+  file.write(1.0, sample.set, sample.in_pieces(), {0, 0, 0});
   const ExodusReader reader(own_file(folder / "p.e"));
   const auto element_numbers = reader.numbers(EX_ELEM_MAP);
   std::size_t element = 0, wrong = 0;
@@ -215,7 +226,7 @@ TEST(ParticleFile, SinglePrecisionHasFourByteNumbers) {
   const Sample sample(50);
   output::ParticleFile file(base::Communicator::world(), folder / "p.e", sample.set, materials,
                             global_names, provenance, output::Precision::Single);
-  file.write(0.1, sample.set, sample.state, {1, 2, 1.0 / 3.0});
+  file.write(0.1, sample.set, sample.in_pieces(), {1, 2, 1.0 / 3.0});
   const ExodusReader reader(own_file(folder / "p.e"));
   EXPECT_EQ(reader.word_bytes, 4);
   EXPECT_EQ(reader.globals(1)[2], static_cast<double>(1.0F / 3.0F));
@@ -334,14 +345,14 @@ TEST(ParticleFile, ADiskThatFillsUpIsARunErrorOnEveryRank) {
   const auto world = base::Communicator::world();
   const Sample sample(20000);
   output::ParticleFile file(world, folder / "p.e", sample.set, materials, global_names, provenance);
-  file.write(0.1, sample.set, sample.state, {1, 0.1, 0});
+  file.write(0.1, sample.set, sample.in_pieces(), {1, 0.1, 0});
   const std::string path = own_file(folder / "p.e");
   std::string message;
   {
     const rlim_t full = static_cast<rlim_t>(std::filesystem::file_size(path)) + 100000;
     const SmallDisk disk(world.is_root() ? full : RLIM_INFINITY);
     message = message_of<base::RunError>([&] {
-      file.write(0.2, sample.set, sample.state, {2, 0.2, 0});
+      file.write(0.2, sample.set, sample.in_pieces(), {2, 0.2, 0});
     });
   }
   EXPECT_NE(message.find(output::spread_file_name(folder / "p.e", world.size(), 0)),

@@ -74,7 +74,7 @@ TEST(Pictures, AreDrawnAndCanBeDrawnAgain) {
   const output::Pictures pictures(world, folder.path(), "A gel's title, \"quoted\" & 10 %",
                                   {1.0, 1.0, 1.0});
   EXPECT_EQ(pictures.draw_materials(gel.set, {"collagen_I", "vessel's wall"}), "");
-  EXPECT_EQ(pictures.draw_von_mises(gel.set, gel.state, 1.0), "");
+  EXPECT_EQ(pictures.draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0), "");
   std::vector<output::HistoryRow> history(3);
   for (std::size_t n = 0; n < 3; ++n) {
     history[n].load = 0.5 * static_cast<double>(n);
@@ -105,7 +105,7 @@ TEST(Pictures, TheRasterFileHoldsTheStressOfThePixels) {
   const auto world = base::Communicator::world();
   const Gel gel;
   output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0})
-      .draw_von_mises(gel.set, gel.state, 1.0);
+      .draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
   const std::string bytes = content_of(folder / "pictures/von_mises.raw");
   ASSERT_EQ(bytes.size(), 60 * 40 * sizeof(float));
   std::vector<float> value(60 * 40);
@@ -142,8 +142,9 @@ TEST(Pictures, WithoutGnuplotANoteSaysHowToDrawThem) {
   const Gel gel;
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
-  const std::string note = output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0})
-                               .draw_von_mises(gel.set, gel.state, 1.0);
+  const std::string note =
+      output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0})
+          .draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(note.rfind("von_mises.png was not drawn: gnuplot is not installed", 0), 0U) << note;
   EXPECT_TRUE(fs::exists(folder / "pictures/von_mises.gp"));
