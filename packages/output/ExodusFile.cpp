@@ -1,5 +1,6 @@
 #include "output/ExodusFile.hpp"
 
+#include <dlfcn.h>
 #include <exodusII.h>
 #include <hdf5.h>
 
@@ -63,11 +64,22 @@ std::vector<std::int64_t> all_but(const std::vector<std::int64_t>& left_out, std
   return rest;
 }
 
+/// netCDF would keep whole variables in its caches, 16 MB for each that pieces are written to by
+/// turns: more than a run's matrix. Exodus brings netCDF along but neither its header nor a word on
+/// caches.
+void keep_no_variables_in_memory() {
+  using SetChunkCache = int (*)(std::size_t bytes, std::size_t slots, float preemption);
+  static const auto set =
+      reinterpret_cast<SetChunkCache>(dlsym(RTLD_DEFAULT, "nc_set_chunk_cache"));
+  if (set != nullptr) set(std::size_t{1} << 16, 101, 0.75f);
+}
+
 }  // namespace
 
 ExodusFile ExodusFile::create(const std::string& path, Precision precision,
                               std::size_t longest_name) {
   ex_opts(0);  // the library shall not print
+  keep_no_variables_in_memory();
   // The library does not tell why it cannot create a file; the operating system does.
   std::FILE* trial = std::fopen(path.c_str(), "ab");
   if (trial == nullptr)
@@ -86,6 +98,7 @@ ExodusFile ExodusFile::create(const std::string& path, Precision precision,
 
 ExodusFile ExodusFile::open(const std::string& path) {
   ex_opts(0);
+  keep_no_variables_in_memory();
   int memory_bytes = 8;
   int file_bytes = 0;
   float version = 0;
