@@ -7,6 +7,7 @@
 #include "BoundsTable.hpp"
 #include "HomeOrder.hpp"
 #include "MovingSupports.hpp"
+#include "base/Session.hpp"
 #include "base/Stage.hpp"
 #include "output/DeckFile.hpp"
 #include "tensor/Tensor3.hpp"
@@ -216,8 +217,9 @@ void Results::print_table(const std::vector<output::MovingSupport>& moving, doub
   for (const auto& [stage, spent] : base::stage_seconds(communicator_))
     stages += base::format("  %s %.2f s", stage.c_str(), spent);
   log_->line(stages);
-  log_->line(base::format("%.1f s on %d rank%s; results in %s", seconds, communicator_.size(),
-                          communicator_.size() == 1 ? "" : "s", folder_.folder().c_str()));
+  log_->line(base::format("%.1f s on %s; results in %s", seconds,
+                          base::ranks_and_threads(communicator_).c_str(),
+                          folder_.folder().c_str()));
 }
 
 }  // namespace stroma
