@@ -2,13 +2,28 @@
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
 # folder in STROMA_SOURCE_DIR and the shared reference data, if there are any, in STROMA_SHARED_DIR.
+# Where Trilinos has threads, it is run on 1 rank with 1 and 2 threads, and, if it is for several ranks, on 2
+# ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
 find_package(GTest REQUIRED)
 
 set(STROMA_TEST_ENVIRONMENT
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
     OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
-    OMP_NUM_THREADS=1)
+    OMP_WAIT_POLICY=passive)  # threads that wait leave the processor to the other ranks
+
+foreach(label unit verification regression)
+  add_custom_target(${label}_tests)
+endforeach()
+
+function(stroma_add_test name label target ranks threads suffix)
+  math(EXPR processors "${ranks} * ${threads}")
+  set(test ${label}.${name}.np${ranks}${suffix})
+  add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${target}>)
+  set_tests_properties(
+    ${test} PROPERTIES LABELS ${label} PROCESSORS ${processors} TIMEOUT 600
+    ENVIRONMENT "${STROMA_TEST_ENVIRONMENT};OMP_NUM_THREADS=${threads}")
+endfunction()
 
 function(stroma_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;LIBRARIES" ${ARGN})
@@ -26,11 +41,15 @@ function(stroma_test name)
     STROMA_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared"
     STROMA_EXECUTABLE="${PROJECT_BINARY_DIR}/bin/stroma")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  add_dependencies(${arg_LABEL}_tests ${target})
   foreach(ranks IN LISTS arg_RANKS)
-    set(test ${arg_LABEL}.${name}.np${ranks})
-    add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${target}>)
-    set_tests_properties(
-      ${test} PROPERTIES LABELS ${arg_LABEL} PROCESSORS ${ranks} TIMEOUT 600
-      ENVIRONMENT "${STROMA_TEST_ENVIRONMENT}")
+    if(NOT STROMA_NEEDS_OPENMP)
+      stroma_add_test(${name} ${arg_LABEL} ${target} ${ranks} 1 "")
+    elseif(ranks EQUAL 1)
+      stroma_add_test(${name} ${arg_LABEL} ${target} 1 1 .threads1)
+      stroma_add_test(${name} ${arg_LABEL} ${target} 1 2 .threads2)
+    elseif(ranks EQUAL 2)
+      stroma_add_test(${name} ${arg_LABEL} ${target} 2 2 .threads2)
+    endif()
   endforeach()
 endfunction()
