@@ -42,7 +42,7 @@ fetch_source() {
   apt-get "${options[@]}" -qq update
   (cd "$build" && apt-get "${options[@]}" -qq source trilinos)
 }
-source_folder() { find "$build" -maxdepth 1 -type d -name 'trilinos-*' | sort | tail -n 1; }
+source_folder() { find "$build" -mindepth 1 -maxdepth 1 -type d -name 'trilinos-*' | sort | tail -n 1; }
 [[ -n $(source_folder) ]] || fetch_source
 trilinos=$(source_folder)
 [[ -f $trilinos/CMakeLists.txt ]] || { echo "build_trilinos_openmp.sh: no sources in $build" >&2; exit 1; }
