@@ -78,13 +78,16 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
   const auto particles = static_cast<double>(specimen.particles.count());
   const auto nodes =
       static_cast<double>(specimen.partition.touched_nodes(communicator.rank()).count());
-  const double state = 41.0 * particles;
+  const double state = (deck.parameters.grid.reset ? 2.0 * 145.0 + 41.0 : 41.0) * particles;
   const double results = 88.0 * particles;
-  const double matrix = (81.0 * 3.0 * 12.0 + 27.0) * nodes;
+  const auto kind = deck.parameters.solver.preconditioner;
+  const bool is_stencil = kind == solver::PreconditionerKind::geometric_multigrid;
+  const double stencil = 504.0 * nodes;
+  const double matrix = is_stencil ? stencil + 48.0 * nodes : (81.0 * 3.0 * 12.0 + 27.0) * nodes;
   const double vectors = 20.0 * 24.0 * nodes;
-  const bool multigrid =
-      deck.parameters.solver.preconditioner == solver::PreconditionerKind::multigrid;
-  const double hierarchy = multigrid ? 1.6 * matrix : 0.0;
+  double hierarchy = 0.0;
+  if (is_stencil) hierarchy = stencil / 7.0 + 8.0 / 7.0 * 72.0 * nodes;
+  if (kind == solver::PreconditionerKind::multigrid) hierarchy = 1.6 * matrix;
   const double total = state + results + matrix + vectors + hierarchy;
   const double gib = 1.0 / (1024.0 * 1024.0 * 1024.0);
   const double most = communicator.max(total);
@@ -95,7 +98,7 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
       communicator.max(state) * gib, communicator.max(results) * gib,
       communicator.max(matrix) * gib, communicator.max(vectors) * gib,
       communicator.max(hierarchy) * gib));
-  if (deck.parameters.solver.preconditioner == solver::PreconditionerKind::direct)
+  if (kind == solver::PreconditionerKind::direct)
     log.note("the factors of Preconditioner = Direct come on top; they grow fast with the grid");
 }
 

@@ -22,6 +22,17 @@ struct Tensor4 {
   }
 };
 
+/// Stress and spatial tangent of an isotropic law whose tangent, all in [Pa], is
+///
+///     a_ijkl = vol d_ij d_kl + sym (d_ik d_jl + d_il d_jk) - 2/3 (s_ij d_kl + d_ij s_kl)
+///              + d_ik tau_jl.
+struct IsotropicTangent {
+  Tensor3 tau;        ///< Kirchhoff stress
+  Tensor3 s;          ///< a symmetric tensor; of NeoHookean, dev tau
+  double volumetric;  ///< vol
+  double symmetric;   ///< sym
+};
+
 /// Isotropic hyperelastic solid with stored energy per reference volume
 ///
 ///     W = mu/2 (tr Cbar - 3) + K/2 (ln J)^2,   Cbar = J^(-2/3) F^T F,  J = det F.
@@ -77,25 +88,32 @@ struct NeoHookean {
   /// d(tau F^-T) = (a : D) F^-T for dF = D F: what a residual sum_p V0 tau grad N differentiates
   /// to.
   KOKKOS_INLINE_FUNCTION void stress_and_tangent(const Tensor3& H, Tensor3& tau, Tensor4& a) const {
-    const double log_j = log1p(tensor::det_minus_one(H));
-    const double factor = shear_modulus * exp(-2.0 / 3.0 * log_j);
-    const Tensor3 b_minus_identity = tensor::left_cauchy_green_minus_identity(H);
-    const Tensor3 s = factor * tensor::deviator(b_minus_identity);
-    tau = s;
-    for (int i = 0; i < 3; ++i) tau(i, i) += bulk_modulus * log_j;
-
-    const double m = factor * (1.0 + tensor::trace(b_minus_identity) / 3.0);
-    const double volumetric = bulk_modulus - 2.0 / 3.0 * m;  // coefficient of I x I
-    const double symmetric = m - bulk_modulus * log_j;       // of (d_ik d_jl + d_il d_jk)
+    const IsotropicTangent t = isotropic_tangent(H);
+    tau = t.tau;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k)
           for (int l = 0; l < 3; ++l) {
             const double ij = i == j, kl = k == l, ik = i == k, jl = j == l, il = i == l,
                          jk = j == k;
-            a(i, j, k, l) = volumetric * ij * kl + symmetric * (ik * jl + il * jk) -
-                            2.0 / 3.0 * (s(i, j) * kl + ij * s(k, l)) + ik * tau(j, l);
+            a(i, j, k, l) = t.volumetric * ij * kl + t.symmetric * (ik * jl + il * jk) -
+                            2.0 / 3.0 * (t.s(i, j) * kl + ij * t.s(k, l)) + ik * t.tau(j, l);
           }
+  }
+
+  /// The same in the few numbers that it takes: vol = K - 2/3 m, sym = m - K ln J.
+  KOKKOS_INLINE_FUNCTION IsotropicTangent isotropic_tangent(const Tensor3& H) const {
+    const double log_j = log1p(tensor::det_minus_one(H));
+    const double factor = shear_modulus * exp(-2.0 / 3.0 * log_j);
+    const Tensor3 b_minus_identity = tensor::left_cauchy_green_minus_identity(H);
+    IsotropicTangent t;
+    t.s = factor * tensor::deviator(b_minus_identity);
+    t.tau = t.s;
+    for (int i = 0; i < 3; ++i) t.tau(i, i) += bulk_modulus * log_j;
+    const double m = factor * (1.0 + tensor::trace(b_minus_identity) / 3.0);
+    t.volumetric = bulk_modulus - 2.0 / 3.0 * m;
+    t.symmetric = m - bulk_modulus * log_j;
+    return t;
   }
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
@@ -211,21 +213,46 @@ std::int64_t MomentumBalance::residual(const grid::Vector& u, grid::Vector& r) c
   return bad;
 }
 
+void MomentumBalance::choose_tangent(TangentForm form) {
+  if (form == form_) return;
+  form_ = form;
+  rows_.reset();
+  stencil_ = Teuchos::null;
+}
+
+grid::RCP<Tpetra::Operator<double>> MomentumBalance::tangent() {
+  if (form_ == TangentForm::compressed_rows) return tangent_matrix();
+  if (stencil_ == Teuchos::null)
+    stencil_ = Teuchos::rcp(new StencilMatrix(halo_, supports_->held(), typical_diagonal_));
+  return stencil_;
+}
+
 grid::RCP<Matrix> MomentumBalance::tangent_matrix() {
-  if (!tangent_) {
+  if (form_ != TangentForm::compressed_rows)
+    throw std::logic_error("the tangent is stored as a stencil, not as compressed rows");
+  if (!rows_) {
     const base::Stage stage("graph");
-    tangent_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
+    rows_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
   }
-  return tangent_->matrix();
+  return rows_->matrix();
 }
 
 std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
-  tangent_matrix();
+  tangent();
   const base::Stage stage("tangent");
-  const transfer::Tangent<Shape, Law, Device> kernel{elements(u), law_, tangent_->begin()};
-  const std::int64_t bad =
-      transfer::for_each_element<Shape::width, grid::ExecutionSpace>("tangent", box_, kernel);
-  tangent_->finish();
+  const auto add_elements = [&](const auto& rows) {
+    const transfer::Tangent<Shape, Law, Device, std::decay_t<decltype(rows)>> kernel{elements(u),
+                                                                                     law_, rows};
+    return transfer::for_each_element<Shape::width, grid::ExecutionSpace>("tangent", box_, kernel);
+  };
+  std::int64_t bad = 0;
+  if (form_ == TangentForm::stencil) {
+    bad = add_elements(stencil_->begin());
+    stencil_->finish();
+  } else {
+    bad = add_elements(rows_->begin());
+    rows_->finish();
+  }
   return communicator_.sum(bad);
 }
 

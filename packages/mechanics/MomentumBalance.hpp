@@ -12,6 +12,7 @@
 #include "grid/Halo.hpp"
 #include "material/NeoHookean.hpp"
 #include "mechanics/Problem.hpp"
+#include "mechanics/StencilMatrix.hpp"
 #include "mechanics/Supports.hpp"
 #include "mechanics/TangentMatrix.hpp"
 #include "particles/Particles.hpp"
@@ -27,6 +28,10 @@ struct WorstParticle {
   double jacobian = 0.0;
   std::array<double, 3> position{};  ///< at the base configuration [um]
 };
+
+/// How the tangent is stored: compressed rows for any package of Trilinos, or the stencil, which
+/// takes a sixth of the memory.
+enum class TangentForm { compressed_rows, stencil };
 
 /// Residual and tangent of the quasi-static balance of momentum on the grid of one base
 /// configuration. The unknown u is the displacement of the grid's nodes since then [um], in a
@@ -75,9 +80,14 @@ class MomentumBalance {
   std::int64_t unbalanced_force(const grid::Vector& u, grid::Vector& force) const;
   /// Unbalanced force with prescribed components cleared.
   std::int64_t residual(const grid::Vector& u, grid::Vector& r) const;
-  /// Assembles the tangent at u into the one matrix that tangent_matrix() returns.
+  /// Chooses how the tangent is stored, before it is first used; compressed rows otherwise. Another
+  /// choice later gives up the operator that there is.
+  void choose_tangent(TangentForm form);
+  /// Assembles the tangent at u into the one operator that tangent() returns.
   std::int64_t assemble_tangent(const grid::Vector& u);
-  /// The tangent's matrix; built at the first call.
+  /// The tangent's operator; built at the first call.
+  grid::RCP<Tpetra::Operator<double>> tangent();
+  /// The same as a matrix, when it is stored as compressed rows.
   grid::RCP<Matrix> tangent_matrix();
   /// product = K(u) v without forming K and without regard to what is prescribed.
   void tangent_times(const grid::Vector& u, const grid::Vector& v, grid::Vector& product) const;
@@ -124,7 +134,9 @@ class MomentumBalance {
   double load_ = 0.0;
   grid::RCP<const grid::Vector> external_force_;
   std::unique_ptr<Supports> supports_;
-  std::unique_ptr<TangentMatrix> tangent_;
+  TangentForm form_ = TangentForm::compressed_rows;
+  std::unique_ptr<TangentMatrix> rows_;
+  grid::RCP<StencilMatrix> stencil_;
 };
 
 }  // namespace stroma::mechanics

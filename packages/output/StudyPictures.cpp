@@ -102,7 +102,7 @@ std::string draw_force_element_size(const base::Communicator& communicator,
     std::string label = one.name + (one.name.empty() ? "" : ": ");
     label += one.fit ? format("%.6g %s at h = 0, order %.2f", one.fit->value / unit.size, unit.name,
                               one.fit->order)
-                     : "no extrapolation: " + one.undefined_because;
+                     : "no extrapolation";  // why: convergence.csv
     script += format(
         "%s'%s.dat' index %zu using 1:($2/%g) with %s lw 2 pt %d ps 1.3 lc rgb '%s' "
         "title %s",

@@ -77,8 +77,8 @@ class GatheredFactors : public Operator {
 /// rounding left is seen in their residual.
 class DirectPreconditioner : public Preconditioner {
  public:
-  void compute(const grid::RCP<mechanics::Matrix>& matrix) override {
-    if (factors_ == Teuchos::null) factors_ = Teuchos::rcp(new GatheredFactors(matrix));
+  void compute(const grid::RCP<const Operator>& tangent) override {
+    if (factors_ == Teuchos::null) factors_ = Teuchos::rcp(new GatheredFactors(as_matrix(tangent)));
     factors_->factorize();
   }
   grid::RCP<const Operator> apply_inverse() const override { return factors_; }

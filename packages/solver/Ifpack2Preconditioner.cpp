@@ -24,9 +24,10 @@ class Ifpack2Preconditioner : public Preconditioner {
     if (parameters.ifpack2 != Teuchos::null) list_.setParameters(*parameters.ifpack2);
   }
 
-  void compute(const grid::RCP<mechanics::Matrix>& matrix) override {
+  void compute(const grid::RCP<const Operator>& tangent) override {
     if (preconditioner_ == Teuchos::null) {
-      preconditioner_ = Ifpack2::Factory().create<Tpetra::RowMatrix<double>>(method_, matrix);
+      preconditioner_ =
+          Ifpack2::Factory().create<Tpetra::RowMatrix<double>>(method_, as_matrix(tangent));
       preconditioner_->setParameters(list_);
       preconditioner_->initialize();
     }

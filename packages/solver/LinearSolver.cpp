@@ -3,6 +3,7 @@
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
@@ -12,6 +13,8 @@ namespace stroma::solver {
 std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
                                                     const mechanics::MomentumBalance& balance) {
   switch (parameters.preconditioner) {
+    case PreconditionerKind::geometric_multigrid:
+      return make_geometric_multigrid(balance);
     case PreconditionerKind::multigrid:
       return make_muelu(parameters, balance);
     case PreconditionerKind::direct:
@@ -25,19 +28,24 @@ LinearSolver::LinearSolver(const SolverParameters& parameters,
                            const mechanics::MomentumBalance& balance)
     : parameters_(parameters), preconditioner_(make_preconditioner(parameters, balance)) {}
 
-void LinearSolver::set_matrix(const grid::RCP<mechanics::Matrix>& matrix) {
-  const bool is_first = matrix_ == Teuchos::null;
-  matrix_ = matrix;
+grid::RCP<mechanics::Matrix> as_matrix(const grid::RCP<const Operator>& tangent) {
+  return Teuchos::rcp_const_cast<mechanics::Matrix>(
+      Teuchos::rcp_dynamic_cast<const mechanics::Matrix>(tangent, true));
+}
+
+void LinearSolver::set_tangent(const grid::RCP<const Operator>& tangent) {
+  const bool is_first = tangent_ == Teuchos::null;
+  tangent_ = tangent;
   is_fresh_ = false;
-  const bool works_still = 2 * last_iterations_ <= 3 * iterations_when_fresh_ + 4;
+  const bool works_still = last_iterations_ <= 1.5 * iterations_when_fresh_ + 0.5;
   if (is_first || !preconditioner_->worth_keeping() || !works_still) renew_preconditioner();
 }
 
 void LinearSolver::renew_preconditioner() {
   const base::Stage stage("preconditioner");
-  preconditioner_->compute(matrix_);
+  preconditioner_->compute(tangent_);
   is_fresh_ = true;
-  iterations_when_fresh_ = 0;
+  iterations_when_fresh_ = 0.0;
 }
 
 LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& x,
@@ -50,6 +58,7 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     nothing_to_do.converged = true;
     return nothing_to_do;
   }
+  tolerance = std::max(tolerance, forcing_);
   LinearResult result = run_belos(*preconditioner_, b, x, tolerance);
   if (!result.converged && !is_fresh_) {
     renew_preconditioner();
@@ -61,13 +70,15 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     SolverParameters jacobi = parameters_;
     jacobi.preconditioner = PreconditionerKind::jacobi;
     jacobi.ifpack2 = Teuchos::null;
-    const auto plain = make_ifpack2(jacobi);
-    plain->compute(matrix_);
+    const bool is_stencil = parameters_.preconditioner == PreconditionerKind::geometric_multigrid;
+    const auto plain = is_stencil ? make_block_jacobi() : make_ifpack2(jacobi);
+    plain->compute(tangent_);
     result = run_belos(*plain, b, x, tolerance);
   }
   if (result.indefinite) throw base::StepRejected("conjugate gradients met an indefinite tangent");
-  last_iterations_ = result.iterations;
-  if (is_fresh_) iterations_when_fresh_ = std::max(iterations_when_fresh_, result.iterations);
+  const double digits = std::max(1.0, -std::log10(tolerance));
+  last_iterations_ = result.iterations / digits;
+  if (is_fresh_) iterations_when_fresh_ = std::max(iterations_when_fresh_, last_iterations_);
   return result;
 }
 
@@ -79,7 +90,7 @@ LinearResult LinearSolver::run_belos(const Preconditioner& preconditioner,
   const base::Stage stage("linear solve");
   x.putScalar(0.0);
   const auto problem =
-      Teuchos::rcp(new Problem(matrix_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
+      Teuchos::rcp(new Problem(tangent_, Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b)));
   problem->setLeftPrec(preconditioner.apply_inverse());
   problem->setProblem();
   const auto list = Teuchos::parameterList();

@@ -21,13 +21,17 @@ class LinearSolver {
  public:
   LinearSolver(const SolverParameters& parameters, const mechanics::MomentumBalance& balance);
 
-  /// The matrix of the solves to come. A costly preconditioner made for earlier values is kept as
-  /// long as it needs at most half as many iterations again as when it was new. Collective.
-  void set_matrix(const grid::RCP<mechanics::Matrix>& matrix);
+  /// The tangent of the solves to come, in the form that the preconditioner takes. A costly
+  /// preconditioner made for earlier values is kept as long as it needs at most half as many
+  /// iterations again as when it was new. Collective.
+  void set_tangent(const grid::RCP<const Operator>& tangent);
+
+  /// Solves to come stop at this tolerance where it is looser than the one that is asked for.
+  void set_forcing(double tolerance) { forcing_ = tolerance; }
 
   /// Solves from x = 0 until ||residual|| <= tolerance * ||b||. Collective.
   /// A preconditioner that turns out to be indefinite is replaced by Jacobi for the solve.
-  /// \throws base::StepRejected when the matrix is indefinite
+  /// \throws base::StepRejected when the tangent is indefinite
   LinearResult solve(const grid::MultiVector& b, grid::MultiVector& x, double tolerance);
 
   /// Iterations of all solves so far.
@@ -40,11 +44,12 @@ class LinearSolver {
 
   SolverParameters parameters_;
   std::unique_ptr<Preconditioner> preconditioner_;
-  grid::RCP<mechanics::Matrix> matrix_;
+  grid::RCP<const Operator> tangent_;
   long long total_iterations_ = 0;
-  bool is_fresh_ = false;  // the preconditioner was made for the present values
-  int iterations_when_fresh_ = 0;
-  int last_iterations_ = 0;
+  bool is_fresh_ = false;               // the preconditioner was made for the present values
+  double iterations_when_fresh_ = 0.0;  // per digit, as the next
+  double last_iterations_ = 0.0;
+  double forcing_ = 0.0;
 };
 
 }  // namespace stroma::solver

@@ -62,10 +62,10 @@ class MueLuPreconditioner : public Preconditioner {
     if (parameters.muelu != Teuchos::null) list_.setParameters(*parameters.muelu);
   }
 
-  void compute(const grid::RCP<mechanics::Matrix>& matrix) override {
+  void compute(const grid::RCP<const Operator>& tangent) override {
     Teuchos::ParameterList list(list_);
     list.sublist("user data").set("Nullspace", modes_);
-    hierarchy_ = MueLu::CreateTpetraPreconditioner(grid::RCP<Operator>(matrix), list);
+    hierarchy_ = MueLu::CreateTpetraPreconditioner(grid::RCP<Operator>(as_matrix(tangent)), list);
   }
   grid::RCP<const Operator> apply_inverse() const override { return hierarchy_; }
 

@@ -4,6 +4,7 @@
 #include <NOX_Thyra.H>
 
 #include <Thyra_TpetraThyraWrappers.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "base/Error.hpp"
@@ -63,9 +64,36 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
 void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
   model_ = Teuchos::null;
   balance_ = &balance;
+  balance.choose_tangent(parameters_.preconditioner == PreconditionerKind::geometric_multigrid
+                             ? mechanics::TangentForm::stencil
+                             : mechanics::TangentForm::compressed_rows);
   linear_solver_ = std::make_unique<LinearSolver>(parameters_, balance);
   model_ = Teuchos::rcp(new ThyraModel(balance, thyra_factory(*linear_solver_)));
   reported_iterations_ = 0;
+}
+
+/// How well the next Newton step is worth solving for: its linear error need not be much smaller
+/// than its nonlinear one, which Newton's quadratic order tells from the last steps, nor than what
+/// convergence asks for. A digit costs a good preconditioner little more than one iteration and
+/// another Newton step an assembly, so that in doubt the step is solved better.
+void NewtonSolver::choose_forcing() {
+  if (parameters_.forcing == Forcing::constant) return;
+  const std::size_t n = residual_history_.size();
+  const double now = residual_history_.back();
+  if (n > 1) {
+    const double before = residual_history_[n - 2];
+    const double seen = now / (before * before);
+    const bool is_nonlinear = now > 2.0 * last_forcing_ * before;  // else a bound from above
+    if (now < before) nonlinearity_ = is_nonlinear ? seen : std::min(nonlinearity_, seen);
+  }
+  const double nonlinear_error = nonlinearity_ * now * now;
+  const double goal = nonlinear_error < parameters_.newton_tolerance
+                          ? 0.01 * parameters_.newton_tolerance
+                          : 0.1 * nonlinear_error;
+  constexpr double loosest = 1e-3;
+  last_forcing_ =
+      now > 0.0 ? std::max(std::min(goal / now, loosest), parameters_.linear_tolerance) : loosest;
+  linear_solver_->set_forcing(last_forcing_);
 }
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
@@ -78,6 +106,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
     const bool is_rounding = norm <= model_->rounding();
     if (is_rounding && !(relative <= parameters_.newton_tolerance)) relative = 0.0;
     residual_history_.push_back(relative);
+    choose_forcing();
     if (progress_)
       progress_(static_cast<int>(residual_history_.size()) - 1, relative,
                 linear_solver_->total_iterations() - reported_iterations_);
@@ -120,12 +149,14 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
 void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_change) {
   if (balance_->assemble_tangent(u) > 0)
     throw base::StepRejected("particles are turned inside out");
-  linear_solver_->set_matrix(balance_->tangent_matrix());
+  linear_solver_->set_tangent(balance_->tangent());
   grid::Vector rhs(balance_->owned_map()), du(balance_->owned_map()), r(balance_->owned_map());
   balance_->tangent_times(u, prescribed_change, rhs);
   balance_->residual(u, r);
   rhs.update(-1.0, r, -1.0);
   balance_->supports().clear(rhs);
+  // The residual that the predictor leaves is nonlinear; Newton's first step sees to the rest.
+  linear_solver_->set_forcing(parameters_.forcing == Forcing::constant ? 0.0 : 1e-3);
   linear_solver_->solve(rhs, du, parameters_.linear_tolerance);
   u.update(1.0, du, 1.0, prescribed_change, 1.0);
 }

@@ -55,7 +55,12 @@ class NewtonSolver {
   Progress progress_;
   std::unique_ptr<LinearSolver> linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
+  void choose_forcing();
+
   long long reported_iterations_ = 0;
+  /// ||residual|| after an exact Newton step / that before^2, both relative to the forces.
+  double nonlinearity_ = 0.01;
+  double last_forcing_ = 0.0;
   double largest_force_ = 0.0;
   std::vector<double> residual_history_;
 };

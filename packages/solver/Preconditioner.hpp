@@ -13,14 +13,15 @@ namespace stroma::solver {
 
 using Operator = Tpetra::Operator<double>;
 
-/// Makes an operator M^-1 from a matrix, again and again as its values change.
+/// Makes an operator M^-1 from a tangent, again and again as its values change.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
 
-  /// Adapts to the matrix's present values. Collective.
-  /// \throws base::StepRejected when the matrix is singular to the method
-  virtual void compute(const grid::RCP<mechanics::Matrix>& matrix) = 0;
+  /// Adapts to the tangent's present values. Collective.
+  /// \param tangent  a mechanics::Matrix, or a mechanics::StencilMatrix for those that take it
+  /// \throws base::StepRejected when the tangent is singular to the method
+  virtual void compute(const grid::RCP<const Operator>& tangent) = 0;
   /// Whether compute() costs so much that one made for an earlier tangent is better kept while it
   /// works.
   virtual bool worth_keeping() const { return true; }
@@ -38,5 +39,11 @@ std::unique_ptr<Preconditioner> make_ifpack2(const SolverParameters& parameters)
 std::unique_ptr<Preconditioner> make_muelu(const SolverParameters& parameters,
                                            const mechanics::MomentumBalance& balance);
 std::unique_ptr<Preconditioner> make_direct();
+/// These two take the tangent as a stencil.
+std::unique_ptr<Preconditioner> make_geometric_multigrid(const mechanics::MomentumBalance& balance);
+std::unique_ptr<Preconditioner> make_block_jacobi();
+
+/// The tangent as the compressed matrix that most packages of Trilinos want.
+grid::RCP<mechanics::Matrix> as_matrix(const grid::RCP<const Operator>& tangent);
 
 }  // namespace stroma::solver

@@ -15,16 +15,24 @@ deck::Section<SolverParameters> solver_section() {
   section.optional("Linear Tolerance", &SolverParameters::linear_tolerance,
                    deck::strictly_between(0.0, 1.0),
                    "Conjugate gradients stop at ||residual|| <= this * ||right-hand side||.");
+  section.choice("Forcing", &SolverParameters::forcing,
+                 {{"Adaptive", Forcing::adaptive}, {"Constant", Forcing::constant}},
+                 "Adaptive: a Newton step is solved no better than its nonlinear error and the "
+                 "Newton Tolerance are worth, at best to the Linear Tolerance; Constant: always to "
+                 "the Linear Tolerance.");
   section.optional("Linear Iterations", &SolverParameters::linear_iterations, deck::at_least(1),
                    "Conjugate gradient iterations after which a linear solve is given up.");
   section.choice(
       "Preconditioner", &SolverParameters::preconditioner,
-      {{"Multigrid", PreconditionerKind::multigrid},
+      {{"Geometric Multigrid", PreconditionerKind::geometric_multigrid},
+       {"Multigrid", PreconditionerKind::multigrid},
        {"Jacobi", PreconditionerKind::jacobi},
        {"Chebyshev", PreconditionerKind::chebyshev},
        {"Direct", PreconditionerKind::direct}},
-      "Multigrid: MueLu's smoothed aggregation with rigid body modes; Jacobi and Chebyshev: "
-      "Ifpack2; Direct: a factorisation (Amesos2, KLU2), for small problems.");
+      "Geometric Multigrid: coarser grids of the grid itself, the least memory and time; "
+      "Multigrid: MueLu's smoothed aggregation with rigid body modes, for vessels thousands of "
+      "times stiffer than the gel; Jacobi and Chebyshev: Ifpack2; Direct: a factorisation "
+      "(Amesos2, KLU2), for small problems.");
   section.free_list("NOX", &SolverParameters::nox,
                     "Settings for NOX, laid over Stroma's own (line search based Newton).",
                     check_nox);

@@ -18,9 +18,7 @@ class TangentWithSolve : public Thyra::LinearOpWithSolveBase<double> {
     source_ = source;
     tangent_ = source == Teuchos::null ? Teuchos::null : source->getOp();
     if (tangent_ == Teuchos::null) return;
-    const auto op = Extract::getConstTpetraOperator(tangent_);
-    solver_->set_matrix(Teuchos::rcp_const_cast<mechanics::Matrix>(
-        Teuchos::rcp_dynamic_cast<const mechanics::Matrix>(op, true)));
+    solver_->set_tangent(Extract::getConstTpetraOperator(tangent_));
   }
   const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source() const { return source_; }
 

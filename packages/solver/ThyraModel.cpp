@@ -37,8 +37,7 @@ Model::OutArgs<double> ThyraModel::createOutArgsImpl() const {
 }
 
 Teuchos::RCP<Thyra::LinearOpBase<double>> ThyraModel::create_W_op() const {
-  const grid::RCP<Tpetra::Operator<double>> matrix = balance_->tangent_matrix();
-  return Thyra::createLinearOp(matrix, space_, space_);
+  return Thyra::createLinearOp(balance_->tangent(), space_, space_);
 }
 
 void ThyraModel::evalModelImpl(const Model::InArgs<double>& in,

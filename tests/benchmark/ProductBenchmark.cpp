@@ -76,13 +76,30 @@ int main(int argc, char** argv) {
   balance->assemble_tangent(u);
   const auto matrix = balance->tangent_matrix();
 
+  // The same tangent as a stencil.
+  const auto lean = specimen.balance(world);
+  lean->choose_tangent(mechanics::TangentForm::stencil);
+  lean->assemble_tangent(u);
+  const auto stencil = Teuchos::rcp_dynamic_cast<mechanics::StencilMatrix>(lean->tangent());
+  const grid::NodeField<float> x_float("x", stencil->exchange().grid());
+  const grid::NodeField<float> y_float("y", stencil->exchange().grid());
+  stencil->to_field(v, 0, x_float);
+
   Triad triad;
   triad.run();
   std::vector<double> triad_times, product_times, tangent_times, force_times;
+  std::vector<double> stencil_times, float_times, stencil_tangent_times, free_times;
   for (int r = 0; r < repetitions; ++r) {
     triad_times.push_back(seconds(world, [&] { triad.run(); }));
     product_times.push_back(seconds(world, [&] { matrix->apply(v, product); }));
+    stencil_times.push_back(seconds(world, [&] { stencil->apply(v, product); }));
+    float_times.push_back(seconds(world, [&] {
+      stencil->stencil().multiply(x_float, y_float);
+      stencil->exchange().sum(y_float);
+    }));
     if (r % 5 != 0) continue;
+    free_times.push_back(seconds(world, [&] { balance->tangent_times(u, v, product); }));
+    stencil_tangent_times.push_back(seconds(world, [&] { lean->assemble_tangent(u); }));
     tangent_times.push_back(seconds(world, [&] { balance->assemble_tangent(u); }));
     force_times.push_back(seconds(world, [&] { balance->internal_force(u, product); }));
   }
@@ -101,6 +118,20 @@ int main(int argc, char** argv) {
     std::printf("product K v     %8.2f GB/s   %.2f of the triad   %.3f ms\n",
                 bytes / median(product_times) * 1e-9, bytes / median(product_times) / stream,
                 median(product_times) * 1e3);
+    // A stencil's product reads its blocks, and moves the vectors once.
+    const double nodes = rows / 3.0;
+    const double in_double = (4.0 * transfer::StencilLayout::entries + 48.0) * nodes;
+    const double in_float = (4.0 * transfer::StencilLayout::entries + 24.0) * nodes;
+    const auto line = [&](const char* what, double moved, double time) {
+      std::printf("%-16s%8.2f GB/s   %.2f of the triad   %.3f ms\n", what, moved / time * 1e-9,
+                  moved / time / stream, time * 1e3);
+    };
+    line("stencil, double", in_double, median(stencil_times));
+    line("stencil, float", in_float, median(float_times));
+    std::printf("no matrix       %8.1f ns per particle and core   %.3f ms\n",
+                median(free_times) / particles * world.size() * 1e9, median(free_times) * 1e3);
+    std::printf("to the stencil  %8.1f ns per particle and core\n",
+                median(stencil_tangent_times) / particles * world.size() * 1e9);
     std::printf("tangent         %8.1f ns per particle and core (8 particles an element)\n",
                 median(tangent_times) / particles * world.size() * 1e9);
     std::printf("internal force  %8.1f ns per particle and core\n",

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # The ladder: one load step of 1 % (of the ten to 10 %) on a vessel phantom, 2 x 2 x 2 voxels an element, for each
 # grid, preconditioner and number of ranks. Prints a Markdown table; the STREAM triad and the product K v are
-# measured right before each grid. Usage: tests/benchmark/ladder.sh [GRID...], a grid being NX,NY,NZ.
+# measured right after all grids. Usage: tests/benchmark/ladder.sh [GRID...], a grid being NX,NY,NZ; the preconditioners
+# are those of the variable PRECONDITIONERS, separated by commas (default: all three).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1
-export OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 stroma=$PWD/build/release/bin/stroma
 product=$PWD/build/release/tests/benchmark_product
+IFS=, read -r -a preconditioners <<<"${PRECONDITIONERS:-Jacobi,Multigrid,Geometric Multigrid}"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 grids=("$@")
@@ -17,7 +19,7 @@ echo "| elements | preconditioner | ranks | time (s) | peak memory per rank (MB)
 echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
 for grid in "${grids[@]}"; do
   IFS=, read -r nx ny nz <<<"$grid"
-  for preconditioner in Jacobi Multigrid; do
+  for preconditioner in "${preconditioners[@]}"; do
     for ranks in 1 2; do
       mpirun --oversubscribe -np "$ranks" /usr/bin/time -f '%M' -o "$work/memory" -a \
         "$stroma" run tests/benchmark/ladder.xml -o "$work/run" \

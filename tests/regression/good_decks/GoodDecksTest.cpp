@@ -67,6 +67,15 @@ const GoodDeck stretched[] = {
      Grip::plane_strain_roller,
      10,
      1},
+    {"07_paper_study",
+     "deck.xml",
+     {537.6, 537.6, 1.0},
+     "collagen",
+     "vessel",
+     {520.8, 1041.6},
+     Grip::plane_strain_roller,
+     2,
+     1},
     {"05_capillary_block",
      "deck.xml",
      {93.0, 93.0, 92.07},
@@ -203,7 +212,8 @@ TEST(SimpleShearDeck, HasTheAnswerOnPaper) {
 }
 
 TEST(InputDecks, AllOfThemAreTested) {
-  // 06_resolution_study is run by tests/regression/study.
+  // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
+  // tests/verification/paper_study.
   std::vector<std::string> tested{"04_simple_shear", "06_resolution_study"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;

@@ -54,6 +54,30 @@ TEST(NewtonSolver, ConvergesQuadratically) {
   RecordProperty("order", std::to_string(order));
 }
 
+// Solving Newton steps no better than they are worth: the same answer, as many Newton iterations,
+// fewer linear ones.
+TEST(NewtonSolver, AdaptiveForcingSavesLinearIterationsOnly) {
+  const auto balance = two_materials(0.1).balance(world());
+  const auto solve = [&](Forcing forcing, grid::Vector& u) {
+    SolverParameters parameters;
+    parameters.preconditioner = PreconditionerKind::jacobi;
+    parameters.forcing = forcing;
+    NewtonSolver newton(parameters, *balance);
+    grid::Vector change(balance->owned_map());
+    balance->supports().impose(1.0, change);
+    newton.predict(u, change);
+    return newton.solve(u);
+  };
+  grid::Vector adaptive(balance->owned_map()), constant(balance->owned_map());
+  const NewtonResult lean = solve(Forcing::adaptive, adaptive);
+  const NewtonResult full = solve(Forcing::constant, constant);
+  EXPECT_LE(lean.residual, 1e-8);
+  EXPECT_EQ(lean.iterations, full.iterations);
+  EXPECT_LT(lean.linear_iterations, full.linear_iterations);
+  adaptive.update(-1.0, constant, 1.0);
+  EXPECT_LT(adaptive.normInf(), 1e-8 * constant.normInf());
+}
+
 // The patch test, solved: uniform material, linear displacement on all faces, from a start that is
 // wrong everywhere inside.
 TEST(NewtonSolver, FindsTheHomogeneousState) {

@@ -1,0 +1,20 @@
+#pragma once
+
+/// \file
+/// The operator of a coarser level from that of a finer one.
+
+#include "mechanics/Stencil.hpp"
+#include "solver/LevelTransfer.hpp"
+
+namespace stroma::solver {
+
+/// coarse = P^T K P, with P the trilinear interpolation: an operator on the 27-point stencil again,
+/// formed plane by plane, of which one at a time is held besides the two stencils. Each rank
+/// transforms its own part; nothing is exchanged.
+///
+/// Rows and columns of prescribed components are zero in K (its constant diagonal is kept apart),
+/// so those of a coarse component are zero when all that it stands for is prescribed.
+void galerkin_product(const mechanics::Stencil& fine, const LevelTransfer& transfer,
+                      const mechanics::Stencil& coarse);
+
+}  // namespace stroma::solver
