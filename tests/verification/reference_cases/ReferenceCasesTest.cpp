@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "ReferenceCase.hpp"
-#include "unit/output/ExodusReader.hpp"
+#include "support/ExodusReader.hpp"
 
 namespace stroma::test {
 namespace {
