@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/Session.hpp"
+#include "solver/GeometricMultigrid.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::test {
@@ -43,6 +44,29 @@ class Fingerprint {
   base::Communicator communicator_;
 };
 
+/// The tangent as a stencil, its product, the coarse operators, and a cycle of multigrid.
+void take_multigrid(const Fingerprint& fingerprint, const std::string& body,
+                    mechanics::MomentumBalance& balance, const grid::Vector& u,
+                    const grid::Vector& v) {
+  balance.choose_tangent(mechanics::TangentForm::stencil);
+  balance.assemble_tangent(u);
+  const auto stencil =
+      Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(balance.tangent(), true);
+  fingerprint.print(body, "stencil", stencil->stencil().values());
+  grid::Vector result(balance.owned_map());
+  stencil->apply(v, result);
+  fingerprint.print(body, "stencil times", result);
+  solver::MultigridSettings settings;
+  settings.direct_work = 1e6;  // so that these small bodies have coarser levels
+  solver::GeometricMultigrid multigrid(stencil, balance.halo().partition().grid().spacing,
+                                       settings);
+  multigrid.compute();
+  fingerprint.print(body, "coarsest stencil", multigrid.stencil(multigrid.levels() - 1).values());
+  multigrid.apply(v, result);
+  fingerprint.print(body, "multigrid cycle", result);
+  balance.choose_tangent(mechanics::TangentForm::compressed_rows);
+}
+
 /// All that is computed from particles for nodes, and from nodes for particles, at a displacement
 /// without symmetry.
 void take(const base::Communicator& world, const std::string& body, const Specimen& specimen) {
@@ -77,6 +101,7 @@ void take(const base::Communicator& world, const std::string& body, const Specim
       balance.project_displacement(u, force);
       fingerprint.print(body, "projected displacement", force);
     }
+    take_multigrid(fingerprint, body, balance, u, v);
     moving.accept(size, u);
   }
 }

@@ -26,8 +26,8 @@ std::string fingerprint(int ranks, int threads) {
 TEST(Threads, LeaveEveryBitOfTheKernels) {
   for (const int ranks : {1, 2}) {
     const std::string one = fingerprint(ranks, 1);
-    // 3 bodies, 2 displacements, 7 quantities, and 3 more where the grid is reset.
-    EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), ranks * 2 * (3 * 7 + 3));
+    // 3 bodies, 2 displacements, 11 quantities, and 3 more where the grid is reset.
+    EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), ranks * 2 * (3 * 11 + 3));
     for (const int threads : {2, 3})
       EXPECT_EQ(fingerprint(ranks, threads), one) << ranks << " ranks, " << threads << " threads";
   }
