@@ -1,9 +1,9 @@
-# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...])
+# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADS n...])
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
 # folder in STROMA_SOURCE_DIR and the shared reference data, if there are any, in STROMA_SHARED_DIR.
-# Where Trilinos has threads, it is run on 1 rank with 1 and 2 threads, and, if it is for several ranks, on 2
-# ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
+# Where Trilinos has threads, it is run on 1 rank with each of THREADS (default: 1 2) threads, and, if it is for
+# several ranks, on 2 ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
 find_package(GTest REQUIRED)
 
 set(STROMA_TEST_ENVIRONMENT
@@ -26,9 +26,12 @@ function(stroma_add_test name label target ranks threads suffix)
 endfunction()
 
 function(stroma_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;THREADS;LIBRARIES" ${ARGN})
   if(NOT arg_RANKS)
     set(arg_RANKS 1)
+  endif()
+  if(NOT arg_THREADS)
+    set(arg_THREADS 1 2)
   endif()
   set(target test_${arg_LABEL}_${name})
   add_executable(${target} ${arg_SOURCES})
@@ -46,8 +49,9 @@ function(stroma_test name)
     if(NOT STROMA_NEEDS_OPENMP)
       stroma_add_test(${name} ${arg_LABEL} ${target} ${ranks} 1 "")
     elseif(ranks EQUAL 1)
-      stroma_add_test(${name} ${arg_LABEL} ${target} 1 1 .threads1)
-      stroma_add_test(${name} ${arg_LABEL} ${target} 1 2 .threads2)
+      foreach(threads IN LISTS arg_THREADS)
+        stroma_add_test(${name} ${arg_LABEL} ${target} 1 ${threads} .threads${threads})
+      endforeach()
     elseif(ranks EQUAL 2)
       stroma_add_test(${name} ${arg_LABEL} ${target} 2 2 .threads2)
     endif()

@@ -42,8 +42,8 @@ grid::Traffic IterationTraffic::total() const {
 IterationTraffic iteration_traffic(const grid::Partition& partition, int rank,
                                    PreconditionerKind kind) {
   IterationTraffic traffic;
-  traffic.dots.reductions = sums_of_belos;
-  traffic.dots.reduced_bytes = sums_of_belos * std::int64_t{sizeof(double)};
+  if (partition.ranks() > 1)  // a rank alone does not call MPI for them
+    traffic.dots = {0, 0, 0, sums_of_belos, sums_of_belos * std::int64_t{sizeof(double)}};
   if (kind == PreconditionerKind::geometric_multigrid) {
     // The vector is made consistent before, the product summed behind.
     traffic.product = 2 * grid::box_sum_traffic(grid::LevelGrid(partition, rank), sizeof(double));

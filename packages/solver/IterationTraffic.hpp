@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/Communicator.hpp"
 #include "grid/Traffic.hpp"
 #include "solver/SolverSection.hpp"
 

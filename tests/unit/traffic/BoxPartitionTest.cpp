@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/GeometricMultigrid.hpp"
 #include "solver/IterationTraffic.hpp"
 
 namespace stroma::test {
