@@ -71,11 +71,12 @@ TEST_P(PaperSlice, HasTheReferencesForce) {
               force / GetParam().force - 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, PaperSlice, ::testing::ValuesIn(cases), [](const auto& slice_case) {
-  std::string name = slice_case.param.name;
-  for (char& c : name) c = c == '.' ? '_' : c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Shared, PaperSlice, ::testing::ValuesIn(cases),
+                         [](const auto& slice_case) {
+                           std::string name = slice_case.param.name;
+                           for (char& c : name) c = c == '.' ? '_' : c;
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace stroma::test
