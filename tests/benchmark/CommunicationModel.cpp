@@ -64,8 +64,9 @@ Times model(const Machine& machine, const grid::Partition& partition, const grid
   times.neighbours = static_cast<double>(traffic.messages) * machine.latency +
                      static_cast<double>(traffic.bytes) / machine.network;
   // Up and down a binary tree; long ones in pieces, so that each byte passes a rank about twice.
-  times.reductions = static_cast<double>(traffic.reductions) * 2.0 * depth * machine.latency +
-                     2.0 * static_cast<double>(traffic.reduced_bytes) / machine.network;
+  if (partition.ranks() > 1)
+    times.reductions = static_cast<double>(traffic.reductions) * 2.0 * depth * machine.latency +
+                       2.0 * static_cast<double>(traffic.reduced_bytes) / machine.network;
   // The factor is read twice, forward and back.
   if (levels.back().is_direct)
     times.coarsest = 2.0 * 8.0 * solver::CoarsestGrid::size(levels.back().grid) / machine.memory;
