@@ -20,7 +20,7 @@ for job in $(find "$1" -mindepth 2 -maxdepth 2 -name job | sort -V); do
   solve=$(stage 'linear solve' "$log")
   sent=$(sed -n 's/^exchange .*busiest rank \([0-9.]*\) kB.*/\1/p' "$log")
   messages=$(sed -n 's/^exchange .* in \([0-9]*\) messages.*/\1/p' "$log")
-  each=$(awk -v s="$solve" -v n="$linear" 'BEGIN { printf "%.2f", n > 0 ? 1e3 * s / n : 0 }')
+  each=$(awk -v s="$solve" -v n="$linear" 'BEGIN { printf "%.2f", (n > 0 ? 1e3 * s / n : 0) }')
   echo "| $nodes | $ranks | $threads | $elements | $seconds | $newton | $linear | $(stage tangent "$log") |" \
     "$(stage preconditioner "$log") | $solve | $each | ${sent:-0} | ${messages:-0} |"
 done
