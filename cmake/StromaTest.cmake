@@ -1,19 +1,37 @@
-# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...])
+# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADS n...])
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
 # folder in STROMA_SOURCE_DIR and the shared reference data, if there are any, in STROMA_SHARED_DIR.
+# Where Trilinos has threads, it is run on 1 rank with each of THREADS (default: 1 2) threads, and, if it is for
+# several ranks, on 2 ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
 find_package(GTest REQUIRED)
 
 set(STROMA_TEST_ENVIRONMENT
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
     OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
-    OMP_NUM_THREADS=1)
+    OMP_WAIT_POLICY=passive)  # threads that wait leave the processor to the other ranks
+
+foreach(label unit verification regression)
+  add_custom_target(${label}_tests)
+endforeach()
+
+function(stroma_add_test name label target ranks threads suffix)
+  math(EXPR processors "${ranks} * ${threads}")
+  set(test ${label}.${name}.np${ranks}${suffix})
+  add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${target}>)
+  set_tests_properties(
+    ${test} PROPERTIES LABELS ${label} PROCESSORS ${processors} TIMEOUT 600
+    ENVIRONMENT "${STROMA_TEST_ENVIRONMENT};OMP_NUM_THREADS=${threads}")
+endfunction()
 
 function(stroma_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;THREADS;LIBRARIES" ${ARGN})
   if(NOT arg_RANKS)
     set(arg_RANKS 1)
+  endif()
+  if(NOT arg_THREADS)
+    set(arg_THREADS 1 2)
   endif()
   set(target test_${arg_LABEL}_${name})
   add_executable(${target} ${arg_SOURCES})
@@ -26,11 +44,16 @@ function(stroma_test name)
     STROMA_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared"
     STROMA_EXECUTABLE="${PROJECT_BINARY_DIR}/bin/stroma")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  add_dependencies(${arg_LABEL}_tests ${target})
   foreach(ranks IN LISTS arg_RANKS)
-    set(test ${arg_LABEL}.${name}.np${ranks})
-    add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${target}>)
-    set_tests_properties(
-      ${test} PROPERTIES LABELS ${arg_LABEL} PROCESSORS ${ranks} TIMEOUT 600
-      ENVIRONMENT "${STROMA_TEST_ENVIRONMENT}")
+    if(NOT STROMA_NEEDS_OPENMP)
+      stroma_add_test(${name} ${arg_LABEL} ${target} ${ranks} 1 "")
+    elseif(ranks EQUAL 1)
+      foreach(threads IN LISTS arg_THREADS)
+        stroma_add_test(${name} ${arg_LABEL} ${target} 1 ${threads} .threads${threads})
+      endforeach()
+    elseif(ranks EQUAL 2)
+      stroma_add_test(${name} ${arg_LABEL} ${target} 2 2 .threads2)
+    endif()
   endforeach()
 endfunction()

@@ -4,6 +4,22 @@
 set(STROMA_TRILINOS_PACKAGES
     Teuchos Kokkos Tpetra Belos Ifpack2 Amesos2 MueLu Thyra ThyraTpetraAdapters NOX)
 find_package(MPI REQUIRED COMPONENTS CXX)
+
+# Preset `threads`: a Trilinos with OpenMP, which no distribution packages.
+if(STROMA_THREADS AND NOT Trilinos_DIR)
+  if(DEFINED ENV{STROMA_TRILINOS_OPENMP})
+    set(STROMA_TRILINOS_OPENMP $ENV{STROMA_TRILINOS_OPENMP})
+  else()
+    set(STROMA_TRILINOS_OPENMP /opt/trilinos-openmp)
+  endif()
+  if(NOT EXISTS ${STROMA_TRILINOS_OPENMP}/lib/cmake/Trilinos)
+    message(FATAL_ERROR "No Trilinos with OpenMP in ${STROMA_TRILINOS_OPENMP}: run "
+                        "cmake/unpack_threads_toolchain.sh or cmake/build_trilinos_openmp.sh, or give "
+                        "-DTrilinos_DIR=")
+  endif()
+  set(Trilinos_DIR ${STROMA_TRILINOS_OPENMP}/lib/cmake/Trilinos CACHE PATH "Trilinos with OpenMP")
+endif()
+
 string(REPLACE ";" " " STROMA_TRILINOS_COMPONENTS "${STROMA_TRILINOS_PACKAGES}")
 find_package(Trilinos REQUIRED COMPONENTS ${STROMA_TRILINOS_PACKAGES})
 message(STATUS "Trilinos ${Trilinos_VERSION} in ${Trilinos_DIR}")
@@ -32,6 +48,10 @@ if(STROMA_KOKKOS_CONFIG)
     find_package(OpenMP REQUIRED COMPONENTS CXX)
     target_link_libraries(stroma_trilinos INTERFACE OpenMP::OpenMP_CXX)
   endif()
+endif()
+
+if(STROMA_THREADS AND NOT STROMA_NEEDS_OPENMP)
+  message(FATAL_ERROR "The Trilinos in ${Trilinos_DIR} was built without Kokkos' OpenMP back end")
 endif()
 
 # Kokkos alone, for the packages whose headers must compile without Tpetra.

@@ -9,6 +9,7 @@
 #include "base/Error.hpp"
 #include "image/Objects.hpp"
 #include "image/Segmentation.hpp"
+#include "solver/IterationTraffic.hpp"
 
 namespace stroma {
 namespace {
@@ -132,6 +133,9 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
         "(%g, %g, %g) um, which has no effect on the stress",
         "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
   check_memory(communicator, deck, specimen, log);
+  const std::string exchange = solver::describe_traffic(communicator, specimen.partition,
+                                                        deck.parameters.solver.preconditioner);
+  if (!exchange.empty()) log.line(exchange);
   log.line("the deck is ready to run");
 }
 

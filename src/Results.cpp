@@ -7,8 +7,10 @@
 #include "BoundsTable.hpp"
 #include "HomeOrder.hpp"
 #include "MovingSupports.hpp"
+#include "base/Session.hpp"
 #include "base/Stage.hpp"
 #include "output/DeckFile.hpp"
+#include "solver/IterationTraffic.hpp"
 #include "tensor/Tensor3.hpp"
 
 namespace stroma {
@@ -182,7 +184,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
       if (!note.empty()) log_->note(note);
   }
   stage.reset();
-  print_table(moving, seconds());
+  print_table(moving, balance.halo().partition(), seconds());
 }
 
 void Results::print_bounds() const {
@@ -200,7 +202,8 @@ void Results::print_bounds() const {
   for (const std::string& line : lines) log_->line(line);
 }
 
-void Results::print_table(const std::vector<output::MovingSupport>& moving, double seconds) const {
+void Results::print_table(const std::vector<output::MovingSupport>& moving,
+                          const grid::Partition& partition, double seconds) const {
   const auto largest_component = [](const std::array<double, 3>& v) {
     std::size_t largest = 0;
     for (std::size_t c = 1; c < 3; ++c)
@@ -231,8 +234,12 @@ void Results::print_table(const std::vector<output::MovingSupport>& moving, doub
   for (const auto& [stage, spent] : base::stage_seconds(communicator_))
     stages += base::format("  %s %.2f s", stage.c_str(), spent);
   log_->line(stages);
-  log_->line(base::format("%.1f s on %d rank%s; results in %s", seconds, communicator_.size(),
-                          communicator_.size() == 1 ? "" : "s", folder_.folder().c_str()));
+  const std::string exchange =
+      solver::describe_traffic(communicator_, partition, deck_->parameters.solver.preconditioner);
+  if (!exchange.empty()) log_->line(exchange);
+  log_->line(base::format("%.1f s on %s; results in %s", seconds,
+                          base::ranks_and_threads(communicator_).c_str(),
+                          folder_.folder().c_str()));
 }
 
 }  // namespace stroma

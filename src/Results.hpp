@@ -48,7 +48,8 @@ class Results {
   void open_grid_file(const mechanics::MomentumBalance& balance);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void print_bounds() const;
-  void print_table(const std::vector<output::MovingSupport>& moving, double seconds) const;
+  void print_table(const std::vector<output::MovingSupport>& moving,
+                   const grid::Partition& partition, double seconds) const;
 
   base::Communicator communicator_;
   const Deck* deck_;

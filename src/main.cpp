@@ -3,7 +3,6 @@
 /// place.
 
 #include <CLI/CLI.hpp>
-#include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -24,6 +23,7 @@
 #include "base/Communicator.hpp"
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "base/Session.hpp"
 #include "deck/Nearest.hpp"
 #include "output/ExodusFile.hpp"
 
@@ -133,13 +133,9 @@ int main(int argc, char** argv) {
                         "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
 
   // Kokkos gets its own words only: it would answer --help too. Every rank parses the rest alike.
-  std::vector<char*> own_words, kokkos_words{argv[0]};
-  for (int n = 0; n < argc; ++n)
-    (std::strncmp(argv[n], "--kokkos", 8) == 0 ? kokkos_words : own_words).push_back(argv[n]);
-  int kokkos_count = static_cast<int>(kokkos_words.size());
-  kokkos_words.push_back(nullptr);
-  char** kokkos_argv = kokkos_words.data();
-  Tpetra::ScopeGuard mpi_and_kokkos(&kokkos_count, &kokkos_argv);
+  std::vector<char*> own_words(argv, argv + argc);
+  const std::vector<std::string> kokkos_words = stroma::base::take_kokkos_words(own_words);
+  const stroma::base::MpiSession mpi(&argc, &argv);
   const auto communicator = stroma::base::Communicator::world();
   const auto fail = [&](ExitStatus status, const std::string& message) {
     if (communicator.is_root()) std::cerr << "stroma: " << message << std::endl;
@@ -156,7 +152,9 @@ int main(int argc, char** argv) {
                                              "\nsee: stroma --help, or stroma COMMAND --help");
   }
 
+  std::optional<stroma::base::KokkosSession> kokkos;
   try {
+    kokkos.emplace(communicator, kokkos_words);
     stroma::base::Log log(communicator, options.quiet);
     if (*run || *check) {
       std::optional<stroma::Deck> deck;

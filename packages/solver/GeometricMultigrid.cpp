@@ -10,6 +10,7 @@ namespace {
 
 constexpr double direct_size = 3e7;  // doubles; a coarsest level with more is smoothed instead
 constexpr int coarsest_degree = 16;
+constexpr std::array<bool, 3> nowhere{false, false, false};
 
 }  // namespace
 
@@ -30,6 +31,22 @@ std::array<bool, 3> directions_to_coarsen(const grid::LevelGrid& grid,
   return directions;
 }
 
+std::vector<LevelPlan> plan_levels(grid::LevelGrid grid, std::array<double, 3> spacing,
+                                   const MultigridSettings& settings) {
+  std::vector<LevelPlan> levels;
+  while (true) {
+    const auto directions = CoarsestGrid::work(grid) > settings.direct_work
+                                ? directions_to_coarsen(grid, spacing)
+                                : nowhere;
+    const bool is_coarsest = directions == nowhere;
+    const bool is_direct = is_coarsest && CoarsestGrid::size(grid) <= direct_size;
+    levels.push_back({grid, directions, is_direct,
+                      is_coarsest && !is_direct ? coarsest_degree : settings.smoother_degree});
+    if (is_coarsest) return levels;
+    grid = grid.coarsened(directions);
+  }
+}
+
 GeometricMultigrid::Level::Level(const base::Communicator& communicator,
                                  const grid::LevelGrid& grid, bool is_finest, int degree)
     : exchange(communicator, grid),
@@ -41,22 +58,11 @@ GeometricMultigrid::GeometricMultigrid(const grid::RCP<const mechanics::StencilM
                                        const std::array<double, 3>& spacing,
                                        const MultigridSettings& settings)
     : matrix_(matrix) {
-  std::array<double, 3> size = spacing;
-  grid::LevelGrid grid = matrix->exchange().grid();
-  const auto& communicator = matrix->exchange().communicator();
-  while (true) {
-    const auto directions = CoarsestGrid::work(grid) > settings.direct_work
-                                ? directions_to_coarsen(grid, size)
-                                : std::array<bool, 3>{false, false, false};
-    const bool is_coarsest = directions == std::array<bool, 3>{false, false, false};
-    const bool is_direct = is_coarsest && CoarsestGrid::size(grid) <= direct_size;
-    levels_.push_back(std::make_unique<Level>(
-        communicator, grid, levels_.empty(),
-        is_coarsest && !is_direct ? coarsest_degree : settings.smoother_degree));
-    if (is_direct) coarsest_.emplace(grid);
-    if (is_coarsest) break;
-    levels_.back()->transfer.emplace(grid, directions);
-    grid = grid.coarsened(directions);
+  for (const LevelPlan& plan : plan_levels(matrix->exchange().grid(), spacing, settings)) {
+    levels_.push_back(std::make_unique<Level>(matrix->exchange().communicator(), plan.grid,
+                                              levels_.empty(), plan.smoother_degree));
+    if (plan.is_direct) coarsest_.emplace(plan.grid);
+    if (plan.directions != nowhere) levels_.back()->transfer.emplace(plan.grid, plan.directions);
   }
 }
 

@@ -27,6 +27,20 @@ struct MultigridSettings {
   double direct_work = 3e8;
 };
 
+/// One level of a hierarchy, as it is going to be.
+struct LevelPlan {
+  grid::LevelGrid grid;
+  std::array<bool, 3> directions;  ///< in which it is coarsened; none: the coarsest level
+  bool is_direct;                  ///< solved by factors; else smoothed
+  int smoother_degree;
+};
+
+/// The levels, from the finest, by arithmetic.
+///
+/// \param spacing  of the finest level's elements [um]
+std::vector<LevelPlan> plan_levels(grid::LevelGrid grid, std::array<double, 3> spacing,
+                                   const MultigridSettings& settings);
+
 /// One V-cycle as an operator M^-1: symmetric, positive definite while the tangent is, in single
 /// precision inside. Trilinear interpolation P in logical space, coarse operators P^T K P,
 /// Chebyshev smoothing over block Jacobi, a direct solve on the coarsest level.

@@ -34,6 +34,9 @@ class MueLuPreconditioner : public Preconditioner {
   MueLuPreconditioner(const SolverParameters& parameters, const mechanics::MomentumBalance& balance)
       : modes_(rigid_body_modes(balance)) {
     list_.set("verbosity", "none");
+    // With threads, the other kernels of MueLu form aggregates in the order in which threads
+    // arrive.
+    list_.set("use kokkos refactor", false);
     list_.set("number of equations", 3);
     list_.set("multigrid algorithm", "sa");
     list_.set("coarse: max size", 1000);

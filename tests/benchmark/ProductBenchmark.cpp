@@ -6,13 +6,13 @@
 
 #include <mpi.h>
 
-#include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <vector>
 
+#include "base/Session.hpp"
 #include "support/Specimen.hpp"
 
 namespace {
@@ -57,8 +57,9 @@ class Triad {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
+  const base::MpiSession mpi(&argc, &argv);
   const auto world = base::Communicator::world();
+  const base::KokkosSession kokkos(world, {argv[0]});
   if (argc < 4) {
     if (world.is_root()) std::fprintf(stderr, "usage: benchmark_product NX NY NZ [REPETITIONS]\n");
     return 2;

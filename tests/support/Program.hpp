@@ -60,16 +60,25 @@ struct Outcome {
 
 inline std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
-/// Runs `stroma ARGUMENTS` in a folder: alone, or under mpirun on several ranks; never as a rank of
-/// the MPI job that runs the test, whose environment it must not see.
-inline Outcome run_stroma(const fs::path& folder, const std::string& arguments, int ranks = 1) {
+/// How many threads this test was given, and gives to the programs that it runs.
+inline int threads_of_test() {
+  const char* number = std::getenv("OMP_NUM_THREADS");
+  return number == nullptr ? 1 : std::atoi(number);
+}
+
+/// Runs a program of this build, `stroma` unless another one is named, with arguments in a folder:
+/// alone, or under mpirun on several ranks; never as a rank of the MPI job that runs the test,
+/// whose environment it must not see. With threads = 0 nothing says how many threads to take.
+inline Outcome run_program(const fs::path& program, const fs::path& folder,
+                           const std::string& arguments, int ranks, int threads) {
   const TemporaryFolder capture;
   const fs::path output = capture / "output", error = capture / "error";
   std::string line =
       "cd " + quoted(folder) +
       " && env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" "
-      "OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+      "OMP_WAIT_POLICY=passive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
       "OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_hwloc_base_binding_policy=none ";
+  if (threads > 0) line += "OMP_NUM_THREADS=" + std::to_string(threads) + " ";
   if (ranks > 1) {
     line += "mpirun --oversubscribe -np " + std::to_string(ranks) + " ";
   } else {  // one rank needs no daemon and no network
@@ -77,10 +86,14 @@ inline Outcome run_stroma(const fs::path& folder, const std::string& arguments, 
         "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_create_session_dirs=0 OMPI_MCA_pml=ob1 "
         "OMPI_MCA_btl=self ";
   }
-  line +=
-      quoted(STROMA_EXECUTABLE) + " " + arguments + " > " + quoted(output) + " 2> " + quoted(error);
+  line += quoted(program) + " " + arguments + " > " + quoted(output) + " 2> " + quoted(error);
   const int result = std::system(line.c_str());
   return {WIFEXITED(result) ? WEXITSTATUS(result) : -1, content_of(output), content_of(error)};
+}
+
+/// Runs `stroma ARGUMENTS` with the test's own number of threads.
+inline Outcome run_stroma(const fs::path& folder, const std::string& arguments, int ranks = 1) {
+  return run_program(STROMA_EXECUTABLE, folder, arguments, ranks, threads_of_test());
 }
 
 /// The columns of a history.csv by name; element s is the row of step s.

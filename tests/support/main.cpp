@@ -5,10 +5,15 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
-#include <Tpetra_Core.hpp>
+#include <vector>
+
+#include "base/Session.hpp"
 
 int main(int argc, char** argv) {
-  Tpetra::ScopeGuard mpi_and_kokkos(&argc, &argv);
+  stroma::base::MpiSession mpi(&argc, &argv);
+  std::vector<char*> words(argv, argv + argc);
+  const stroma::base::KokkosSession kokkos(stroma::base::Communicator::world(),
+                                           stroma::base::take_kokkos_words(words));
   ::testing::InitGoogleTest(&argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
