@@ -28,7 +28,7 @@ trap 'rm -rf "$work"' EXIT
 grids=("$@")
 [[ ${#grids[@]} -gt 0 ]] || grids=(32,32,32 64,64,64 128,128,26)
 
-echo "Made by \`tests/benchmark/ladder.sh\` on $(date +%F): $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores."
+echo "Made by \`tests/benchmark/ladder.sh\` on $(date +%F): $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1), $(nproc --all) cores."
 echo
 echo "| elements | preconditioner | ranks | time (s) | peak memory per rank (MB) | Newton | linear | set-up (s) | linear solve (s) |"
 echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"

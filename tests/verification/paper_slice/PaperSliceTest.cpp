@@ -50,7 +50,7 @@ std::string deck_of(const SliceCase& c) {
           "  bottom:\n    Face: y-\n    Components: y\n"
           "  top:\n    Face: y+\n    Components: y\n    Strain: 0.1\n"
           " Loading:\n  Steps: 2\n"
-          " Solver:\n  Newton Tolerance: 1.0e-8\n  Preconditioner: Multigrid\n"
+          " Solver:\n  Newton Tolerance: 1.0e-8\n"
           " Output:\n  Particles Every: 0\n  Grid Every: 0\n";
   return text.str();
 }

@@ -99,5 +99,26 @@ TEST(Ranks, DoNotChangeTheAnswerWithReset) {
   expect_the_same("--set 'Grid|Reset=true' --set 'Solver|Linear Tolerance=1e-8'");
 }
 
+// Claim V-SOLVERS: whatever solves the linear systems, and however well, the converged step is one.
+TEST(Solvers, DoNotChangeTheAnswer) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.write("block.yaml", deck);
+  std::vector<History> histories;
+  for (const char* settings :
+       {"Solver|Preconditioner=Jacobi' --set 'Solver|Forcing=Constant",
+        "Solver|Preconditioner=Geometric Multigrid", "Solver|Preconditioner=Multigrid"}) {
+    const Outcome outcome = run_stroma(
+        folder.path(), "run " + quoted(path) + " -o out --quiet --set '" + settings + "'");
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+    histories.emplace_back(folder.path() / "out" / "history.csv");
+  }
+  for (std::size_t h = 1; h < histories.size(); ++h)
+    for (std::size_t s = 1; s < 5; ++s)
+      for (const char* name : {"top.reaction_y", "bottom.reaction_y", "strain_energy"})
+        EXPECT_NEAR(histories[h][name][s], histories[0][name][s],
+                    1e-7 * std::abs(histories[0][name][s]))
+            << name << ", step " << s;
+}
+
 }  // namespace
 }  // namespace stroma::test

@@ -111,11 +111,16 @@ TEST_P(ReferenceCases, AreReproduced) {
   const ReferenceCase reference(GetParam());
   const TemporaryFolder folder;
   const fs::path deck = reference.write_deck(folder);
-  const Outcome outcome = run_stroma(folder.path(), "run " + quoted(deck) + " -o out --quiet");
-  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
-  compare_history(reference, History(folder.path() / "out" / "history.csv"));
-  compare_displacements(reference, folder.path() / "out" / "grid.e");
-  compare_stresses(reference, folder.path() / "out" / "particles.e");
+  for (const char* preconditioner : {"Jacobi", "Geometric Multigrid"}) {
+    SCOPED_TRACE(preconditioner);
+    const Outcome outcome = run_stroma(
+        folder.path(), "run " + quoted(deck) +
+                           " -o out --quiet --set 'Solver|Preconditioner=" + preconditioner + "'");
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+    compare_history(reference, History(folder.path() / "out" / "history.csv"));
+    compare_displacements(reference, folder.path() / "out" / "grid.e");
+    compare_stresses(reference, folder.path() / "out" / "particles.e");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, ReferenceCases,
