@@ -17,7 +17,7 @@
 #include <numeric>
 
 #include "material/NeoHookean.hpp"
-#include "support/Program.hpp"
+#include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
@@ -94,13 +94,7 @@ class DeckFolder {
     if (!fs::exists(path_ / "prepare.sh")) return;
     fs::copy(path_, copy_.path());
     path_ = copy_.path();
-    const std::string line = "cd " + quoted(path_) +
-                             " && env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
-                             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1 "
-                             "OMPI_MCA_orte_create_session_dirs=0 bash "
-                             "prepare.sh " +
-                             quoted(STROMA_EXECUTABLE) + " > /dev/null";
-    EXPECT_EQ(std::system(line.c_str()), 0) << "prepare.sh failed";
+    EXPECT_TRUE(prepare(path_)) << "prepare.sh failed";
   }
   fs::path operator/(const std::string& file) const { return path_ / file; }
 

@@ -5,32 +5,12 @@
 #include <cmath>
 
 #include "support/ExodusReader.hpp"
-#include "support/Program.hpp"
+#include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
 
-const char* const deck = R"(Stroma:
-  Title: A gel on the move
-  Image:
-    Phantom:
-      Kind: Vessels
-      Size: [16, 20, 12]
-      Voxel Size [um]: [1.05, 1.05, 1.0]
-      Volume Fraction: 0.2
-      Seed: 3
-  Materials:
-    collagen:
-      Label: 0
-      Shear Modulus [Pa]: 520.8
-      Poisson Ratio: 0.4
-    vessel:
-      Label: 1
-      Shear Modulus [Pa]: 1041.6
-      Poisson Ratio: 0.4
-  Grid:
-    Element Size [um]: [2.1, 2.1, 2.0]
-    Reset: true
+const std::string deck = vessel_block("16, 20, 12") + R"(    Reset: true
   Boundary Conditions:
     bottom:
       Face: y-

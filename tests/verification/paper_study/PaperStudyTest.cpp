@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "support/Program.hpp"
+#include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
@@ -23,12 +23,7 @@ class PaperStudy : public ::testing::Test {
     const fs::path slice = fs::path(STROMA_SHARED_DIR) / "images" / "slice25_vessels.tif";
     has_paper_slice_ = fs::exists(slice);
     if (!has_paper_slice_) std::printf("  no slice at %s: a drawn one\n", slice.c_str());
-    const std::string line = "cd " + quoted(folder_->path()) +
-                             " && env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 "
-                             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1 "
-                             "OMPI_MCA_orte_create_session_dirs=0 bash prepare.sh " +
-                             quoted(STROMA_EXECUTABLE) + " " + quoted(slice) + " > /dev/null";
-    ASSERT_EQ(std::system(line.c_str()), 0) << "prepare.sh failed";
+    ASSERT_TRUE(prepare(folder_->path(), quoted(slice))) << "prepare.sh failed";
   }
   static void TearDownTestSuite() { delete folder_; }
 

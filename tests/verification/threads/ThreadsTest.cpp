@@ -8,7 +8,7 @@
 #include <cmath>
 #include <thread>
 
-#include "support/Program.hpp"
+#include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
@@ -33,34 +33,7 @@ TEST(Threads, LeaveEveryBitOfTheKernels) {
   }
 }
 
-const char* const deck = R"(Stroma:
-  Image:
-    Phantom:
-      Kind: Vessels
-      Size: [20, 24, 16]
-      Voxel Size [um]: [1.05, 1.05, 1.0]
-      Volume Fraction: 0.2
-      Seed: 3
-  Materials:
-    collagen:
-      Label: 0
-      Shear Modulus [Pa]: 520.8
-      Poisson Ratio: 0.4
-    vessel:
-      Label: 1
-      Shear Modulus [Pa]: 1041.6
-      Poisson Ratio: 0.4
-  Grid:
-    Element Size [um]: [2.1, 2.1, 2.0]
-  Boundary Conditions:
-    bottom:
-      Face: y-
-      Components: xyz
-    top:
-      Face: y+
-      Components: xyz
-      Strain: 0.1
-  Loading:
+const std::string deck = vessel_block("20, 24, 16") + clamped_stretch() + R"(  Loading:
     Steps: 3
   Solver:
     Newton Tolerance: 1.0e-10
