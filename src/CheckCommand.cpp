@@ -81,8 +81,10 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
       static_cast<double>(specimen.partition.touched_nodes(communicator.rank()).count());
   const double state = (deck.parameters.grid.reset ? 2.0 * 145.0 + 41.0 : 41.0) * particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
-  const auto layers = static_cast<double>(specimen.partition.elements(communicator.rank()).extent(2));
-  const double results = deck.parameters.grid.reset ? 2.0 * 88.0 * particles : 88.0 * particles / layers;
+  const auto layers =
+      static_cast<double>(specimen.partition.elements(communicator.rank()).extent(2));
+  const double results =
+      deck.parameters.grid.reset ? 2.0 * 88.0 * particles : 88.0 * particles / layers;
   const auto kind = deck.parameters.solver.preconditioner;
   const bool is_stencil = kind == solver::PreconditionerKind::geometric_multigrid;
   const double stencil = 504.0 * nodes;

@@ -105,8 +105,9 @@ output::StatePieces Results::states(const mechanics::MomentumBalance& balance,
   if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
     const auto fields = in_home_order(communicator_, balance.particles(),
                                       balance.particle_fields(u), specimen_->particles.count());
-    return [fields](const auto& use) {
-      use(0, static_cast<std::int64_t>(fields.jacobian.extent(0)), state_of(fields));
+    return [fields](const auto& use) {  // the fields live as long as the pieces may be asked for
+      output::in_one_piece(static_cast<std::int64_t>(fields.jacobian.extent(0)),
+                           state_of(fields))(use);
     };
   }
   return [layers = balance.field_layers(u)](const auto& use) {

@@ -109,13 +109,12 @@ std::int64_t element_along(const grid::Grid& grid, int d, double position) {
       std::floor((position - grid.origin[d]) / grid.spacing[d] + face_tolerance));
 }
 
-/// The element of a particle in a grid that covers it, whatever rounding says at the upper faces.
-template <class Positions>
-grid::Index3 element_of(const grid::Grid& grid, const Positions& position, int p) {
+/// The element at a position in a grid that covers it, whatever rounding says at the upper faces.
+grid::Index3 element_at(const grid::Grid& grid, const double position[3]) {
   grid::Index3 element;
   for (int d = 0; d < 3; ++d)
     element[d] =
-        std::clamp<std::int64_t>(element_along(grid, d, position(p, d)), 0, grid.elements[d] - 1);
+        std::clamp<std::int64_t>(element_along(grid, d, position[d]), 0, grid.elements[d] - 1);
   return element;
 }
 
@@ -167,7 +166,7 @@ grid::Partition balanced_partition(const base::Communicator& communicator, const
   std::array<std::vector<double>, 3> weights;
   for (int d = 0; d < 3; ++d) weights[d].assign(static_cast<std::size_t>(grid.elements[d]), 0.0);
   for (int p = 0; p < particles.count(); ++p) {
-    const grid::Index3 element = element_of(grid, position, p);
+    const grid::Index3 element = element_at(grid, &position(p, 0));
     for (int d = 0; d < 3; ++d) weights[d][static_cast<std::size_t>(element[d])] += 1.0;
   }
   for (auto& weight : weights) communicator.sum_all(weight.data(), weight.size());
@@ -188,7 +187,7 @@ Particles<grid::Device> migrate(const base::Communicator& communicator,
   std::vector<int> stay;
   std::vector<std::vector<Record>> leave(static_cast<std::size_t>(communicator.size()));
   for (int p = 0; p < particles.count(); ++p) {
-    const grid::Index3 element = element_of(grid, before.position, p);
+    const grid::Index3 element = element_at(grid, &before.position(p, 0));
     if (box.contains(element)) {
       stay.push_back(p);
     } else {
@@ -216,15 +215,9 @@ Particles<grid::Device> migrate(const base::Communicator& communicator,
   std::vector<int> element(count);
   std::vector<int> begin(static_cast<std::size_t>(box.count()) + 1, 0);
   for (std::size_t n = 0; n < count; ++n) {
-    grid::Index3 e;
-    if (n < stay.size()) {
-      e = element_of(grid, before.position, stay[n]);
-    } else {
-      for (int d = 0; d < 3; ++d)
-        e[d] = std::clamp<std::int64_t>(
-            element_along(grid, d, arrived[n - stay.size()].position[d]), 0, grid.elements[d] - 1);
-    }
-    element[n] = static_cast<int>(box.local(e));
+    const double* position =
+        n < stay.size() ? &before.position(stay[n], 0) : arrived[n - stay.size()].position;
+    element[n] = static_cast<int>(box.local(element_at(grid, position)));
     ++begin[static_cast<std::size_t>(element[n]) + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
