@@ -12,7 +12,11 @@
 
 namespace stroma::grid {
 
-enum class ShapeFunctions { linear };
+enum class ShapeFunctions { linear, gimp, cpdi, quadratic_b_spline, cubic_b_spline };
+/// The domain of a particle over which GIMP averages the hats: as seeded, or stretched by F.
+enum class ParticleDomain { stretched, undeformed };
+/// Whether the volume change of particles is their own or their element's (against locking).
+enum class Dilatation { pointwise, element_mean };
 enum class DeformationGradient { incremental, projected_displacement };
 
 struct GridParameters {
@@ -20,6 +24,8 @@ struct GridParameters {
   std::optional<std::array<int, 3>> elements;         ///< instead of the size
   bool reset = false;
   ShapeFunctions shape_functions = ShapeFunctions::linear;
+  ParticleDomain particle_domain = ParticleDomain::stretched;
+  Dilatation dilatation = Dilatation::pointwise;
   DeformationGradient deformation_gradient = DeformationGradient::incremental;
   std::optional<double> stabilization;  ///< of the fictitious material [-], >= 0
   bool plane_strain = false;

@@ -10,9 +10,6 @@
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
 #include "particles/Seeding.hpp"
-#include "transfer/Advance.hpp"
-#include "transfer/InternalForce.hpp"
-#include "transfer/Projection.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -107,6 +104,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const particles::Particles<Device>& particles,
                                  const Problem& problem, double base_load)
     : communicator_(communicator),
+      kernels_(linear_kernels()),
       halo_(communicator, partition),
       particles_(particles),
       box_(element_box(partition, communicator.rank())),
@@ -167,11 +165,9 @@ void MomentumBalance::find_fictitious_points(double stabilization) {
 
 void MomentumBalance::find_external_force(const Problem& problem) {
   const grid::Vector at_rest(halo_.owned_map());
-  const transfer::ExternalForce<Shape, Device> kernel{
-      elements(at_rest),
-      to_device("forces", volume_forces(problem.forces, problem.body, problem.particle_spacing)),
-      density_, halo_.contributions()};
-  transfer::for_each_element<Shape::width, grid::ExecutionSpace>("external force", box_, kernel);
+  const auto forces =
+      to_device("forces", volume_forces(problem.forces, problem.body, problem.particle_spacing));
+  kernels_->external_force(points(at_rest), forces, density_, halo_.contributions());
   const auto force = Teuchos::rcp(new grid::Vector(halo_.owned_map()));
   halo_.sum_to_owner(*force);
   external_force_ = force;
@@ -187,16 +183,13 @@ Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements() con
   return filled;
 }
 
-MomentumBalance::Elements MomentumBalance::elements(const grid::Vector& u) const {
+MomentumBalance::Points MomentumBalance::points(const grid::Vector& u) const {
   return {box_, particles_, halo_.gather(u), fictitious_volume_};
 }
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {
   const base::Stage stage("internal force");
-  const transfer::InternalForce<Shape, Law, Device> kernel{elements(u), law_,
-                                                           halo_.contributions()};
-  const std::int64_t bad = transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
-      "internal force", box_, kernel);
+  const std::int64_t bad = kernels_->internal_force(points(u), law_, halo_.contributions());
   halo_.sum_to_owner(force);
   return communicator_.sum(bad);
 }
@@ -240,17 +233,12 @@ grid::RCP<Matrix> MomentumBalance::tangent_matrix() {
 std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
   tangent();
   const base::Stage stage("tangent");
-  const auto add_elements = [&](const auto& rows) {
-    const transfer::Tangent<Shape, Law, Device, std::decay_t<decltype(rows)>> kernel{elements(u),
-                                                                                     law_, rows};
-    return transfer::for_each_element<Shape::width, grid::ExecutionSpace>("tangent", box_, kernel);
-  };
   std::int64_t bad = 0;
   if (form_ == TangentForm::stencil) {
-    bad = add_elements(stencil_->begin());
+    bad = kernels_->tangent(points(u), law_, stencil_->begin());
     stencil_->finish();
   } else {
-    bad = add_elements(rows_->begin());
+    bad = kernels_->tangent(points(u), law_, rows_->begin());
     rows_->finish();
   }
   return communicator_.sum(bad);
@@ -258,16 +246,12 @@ std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
 
 void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v,
                                     grid::Vector& product) const {
-  const Elements at_u = elements(u);
+  Points at_u = points(u);
   // The halo has one buffer for gathered values: keep u's while v is gathered.
-  grid::NodeView displacement("u", at_u.displacement.extent(0));
+  const grid::NodeView displacement("u", at_u.displacement.extent(0));
   Kokkos::deep_copy(displacement, at_u.displacement);
-  const transfer::TangentTimes<Shape, Law, Device> kernel{
-      {box_, particles_, displacement, fictitious_volume_},
-      law_,
-      halo_.gather(v),
-      halo_.contributions()};
-  transfer::for_each_element<Shape::width, grid::ExecutionSpace>("tangent times", box_, kernel);
+  at_u.displacement = displacement;
+  kernels_->tangent_times(at_u, law_, halo_.gather(v), halo_.contributions());
   halo_.sum_to_owner(product);
 }
 
@@ -283,17 +267,14 @@ double MomentumBalance::rounding(const grid::Vector& u) const {
 
 void MomentumBalance::project_displacement(const grid::Vector& u, grid::Vector& projected) const {
   const auto fields = particle_fields(u);
-  const Elements at_u = elements(u);
+  const Points at_u = points(u);
   const std::size_t nodes = at_u.displacement.extent(0);
-  const transfer::ProjectDisplacement<Shape, Device> kernel{at_u, fields.displacement, density_,
-                                                            grid::NodeView("mass", nodes),
-                                                            grid::NodeView("momentum", nodes)};
-  transfer::for_each_element<Shape::width, grid::ExecutionSpace>("project displacement", box_,
-                                                                 kernel);
+  const grid::NodeView mass_of_nodes("mass", nodes), momentum("momentum", nodes);
+  kernels_->project_displacement(at_u, fields.displacement, density_, mass_of_nodes, momentum);
   grid::Vector mass(halo_.owned_map());
-  Kokkos::deep_copy(halo_.contributions(), kernel.mass);
+  Kokkos::deep_copy(halo_.contributions(), mass_of_nodes);
   halo_.sum_to_owner(mass);
-  Kokkos::deep_copy(halo_.contributions(), kernel.momentum);
+  Kokkos::deep_copy(halo_.contributions(), momentum);
   halo_.sum_to_owner(projected);
   const auto m = grid::node_view(static_cast<const grid::Vector&>(mass));
   const auto value = grid::node_view(projected);
@@ -306,9 +287,7 @@ void MomentumBalance::project_displacement(const grid::Vector& u, grid::Vector& 
 }
 
 void MomentumBalance::set_base_gradient(const grid::Vector& projected) {
-  const transfer::GradientFromDisplacement<Shape, Device> kernel{elements(projected)};
-  const std::int64_t bad = transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
-      "gradient from displacement", box_, kernel);
+  const std::int64_t bad = kernels_->gradient_from_displacement(points(projected));
   if (communicator_.sum(bad) > 0)
     throw base::RunError("the projected displacement turns particles inside out");
 }
@@ -316,8 +295,7 @@ void MomentumBalance::set_base_gradient(const grid::Vector& projected) {
 void MomentumBalance::replace_displacement(const grid::Vector& old, const grid::Vector& now) {
   grid::Vector difference(old, Teuchos::Copy);
   difference.update(-1.0, now, 1.0);
-  transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
-      "keep displacement", box_, transfer::AddToDisplacement<Shape, Device>{elements(difference)});
+  kernels_->add_to_displacement(points(difference));
 }
 
 particles::Particles<grid::Device> MomentumBalance::moved_particles(const grid::Vector& u) const {
@@ -330,8 +308,7 @@ particles::Particles<grid::Device> MomentumBalance::moved_particles(const grid::
   moved.position = Particles::Vector3(unset("position"), count);
   moved.base_displacement = Particles::Vector3(unset("base_displacement"), count);
   moved.base_gradient = Particles::Tensor(unset("base_gradient"), count);
-  transfer::for_each_element<Shape::width, grid::ExecutionSpace>(
-      "advance", box_, transfer::Advance<Shape, Device>{elements(u), moved});
+  kernels_->advance(points(u), moved);
   return moved;
 }
 
@@ -339,14 +316,13 @@ transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(
     const grid::Vector& u) const {
   const base::Stage stage("grid to particles");
   transfer::ParticleFields<Device> fields(particles_.count());
-  const transfer::GridToParticles<Shape, Law, Device> kernel{elements(u), law_, fields};
-  transfer::for_each_element<Shape::width, grid::ExecutionSpace>("grid to particles", box_, kernel);
+  kernels_->particle_fields(points(u), law_, fields);
   return fields;
 }
 
 std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field_layers(
     const grid::Vector& u) const {
-  return [at_u = elements(u), law = law_](const FieldVisitor& visit) {
+  return [kernels = kernels_, at_u = points(u), law = law_](const FieldVisitor& visit) {
     const base::Stage stage("grid to particles");
     const transfer::ElementBox& box = at_u.box;
     const auto element_begin =
@@ -355,11 +331,9 @@ std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field
       const int first = element_begin(box.element(0, 0, k));
       const int count = element_begin(box.element(0, 0, k + 1)) - first;
       if (count == 0) continue;
-      const transfer::GridToParticles<Shape, Law, Device> kernel{
-          at_u, law, transfer::ParticleFields<Device>(count), first};
-      transfer::for_each_element_of_layer<grid::ExecutionSpace>("grid to particles", box, k,
-                                                                kernel);
-      visit(first, kernel.fields);
+      const transfer::ParticleFields<Device> fields(count);
+      kernels->layer_fields(at_u, law, k, first, fields);
+      visit(first, fields);
     }
   };
 }

@@ -13,11 +13,11 @@
 #include "grid/Halo.hpp"
 #include "material/NeoHookean.hpp"
 #include "mechanics/Problem.hpp"
+#include "mechanics/ShapeKernels.hpp"
 #include "mechanics/StencilMatrix.hpp"
 #include "mechanics/Supports.hpp"
 #include "mechanics/TangentMatrix.hpp"
 #include "particles/Particles.hpp"
-#include "shape/Linear.hpp"
 #include "transfer/GridToParticles.hpp"
 
 namespace stroma::mechanics {
@@ -50,7 +50,6 @@ class MomentumBalance {
  public:
   using Device = grid::Device;
   using Law = material::NeoHookean;
-  using Shape = shape::Linear;
 
   /// \param base_load  load factor at the base configuration
   /// \throws base::InputError  see Supports
@@ -125,12 +124,13 @@ class MomentumBalance {
   WorstParticle worst_particle(const grid::Vector& u) const;
 
  private:
-  using Elements = transfer::ElementParticles<Shape, Device>;
-  Elements elements(const grid::Vector& u) const;
+  using Points = transfer::PointSet<Device>;
+  Points points(const grid::Vector& u) const;
   void find_fictitious_points(double stabilization);
   void find_external_force(const Problem& problem);
 
   base::Communicator communicator_;
+  std::shared_ptr<const ShapeKernels> kernels_;
   grid::Halo halo_;
   particles::Particles<Device> particles_;
   transfer::ElementBox box_;

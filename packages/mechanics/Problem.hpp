@@ -24,6 +24,9 @@ struct Problem {
   std::array<double, 3> particle_spacing{};  ///< at load 0 [um]; only tractions need it
 
   bool reset = false;  ///< the grid returns to its lattice after each step
+  grid::ShapeFunctions shape_functions = grid::ShapeFunctions::linear;
+  grid::ParticleDomain particle_domain = grid::ParticleDomain::stretched;
+  grid::Dilatation dilatation = grid::Dilatation::pointwise;
   grid::DeformationGradient deformation_gradient = grid::DeformationGradient::incremental;
   /// Stiffness of the fictitious material in elements that are filled by less than half, as a
   /// fraction of the real one's [-]; 0: none.

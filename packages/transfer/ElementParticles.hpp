@@ -25,6 +25,19 @@ struct ParticlePoint {
   Tensor3 H;                         ///< F - I, from the undeformed body [-]
 };
 
+/// The points of a rank, sorted by element, and its displaced nodes: what kernels work on, whatever
+/// the shape functions.
+template <class Device>
+struct PointSet {
+  using NodeView = Kokkos::View<const double* [3], Kokkos::LayoutRight, Device>;
+
+  ElementBox box;
+  particles::Particles<Device> particles;
+  NodeView displacement;  ///< U of the touched nodes [um]
+  /// (element) volume of each of its eight fictitious points [um^3], 0 for most; or empty: none.
+  Kokkos::View<const float*, Device> fictitious_volume = {};
+};
+
 /// Particles and displaced nodes of a rank, element by element.
 ///
 /// The nodes have moved by U since the base configuration, in which the grid is Cartesian. With
@@ -43,14 +56,12 @@ struct ParticlePoint {
 ///
 /// Source: docs/theory.md, eq. (T.4) to (T.7).
 template <class Shape, class Device>
-struct ElementParticles {
-  using NodeView = Kokkos::View<const double* [3], Kokkos::LayoutRight, Device>;
-
-  ElementBox box;
-  particles::Particles<Device> particles;
-  NodeView displacement;  ///< U of the touched nodes [um]
-  /// (element) volume of each of its eight fictitious points [um^3], 0 for most; or empty: none.
-  Kokkos::View<const float*, Device> fictitious_volume = {};
+struct ElementParticles : PointSet<Device> {
+  using typename PointSet<Device>::NodeView;
+  using PointSet<Device>::box;
+  using PointSet<Device>::particles;
+  using PointSet<Device>::displacement;
+  using PointSet<Device>::fictitious_volume;
 
   /// Values of a nodal vector at the nodes of an element, (component, a).
   KOKKOS_INLINE_FUNCTION void gather(const NodeView& nodal, int i, int j, int k,

@@ -28,6 +28,9 @@ struct Specimen {
   mechanics::NamedForces forces;
   std::vector<double> density;  ///< of each law [kg/m^3]
   double stabilization = 0.0;
+  grid::ShapeFunctions shape_functions = grid::ShapeFunctions::linear;
+  grid::ParticleDomain particle_domain = grid::ParticleDomain::stretched;
+  grid::Dilatation dilatation = grid::Dilatation::pointwise;
   grid::DeformationGradient deformation_gradient = grid::DeformationGradient::incremental;
 
   grid::Grid grid() const {
@@ -83,6 +86,9 @@ struct Specimen {
           layout, problem.body, d, spacing[i] / static_cast<double>(voxels_per_element[i]));
     }
     problem.reset = reset;
+    problem.shape_functions = shape_functions;
+    problem.particle_domain = particle_domain;
+    problem.dilatation = dilatation;
     problem.deformation_gradient = deformation_gradient;
     problem.stabilization = stabilization;
     return problem;

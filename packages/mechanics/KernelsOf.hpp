@@ -1,0 +1,81 @@
+#pragma once
+
+/// \file
+/// The kernels for one kind of shape functions; to be included where that kind is compiled.
+
+#include "mechanics/ShapeKernels.hpp"
+#include "transfer/Advance.hpp"
+#include "transfer/InternalForce.hpp"
+#include "transfer/Projection.hpp"
+
+namespace stroma::mechanics {
+
+template <class Shape>
+class KernelsOf : public ShapeKernels {
+ public:
+  std::int64_t internal_force(const Points& points, const Laws& laws,
+                              const NodeView& force) const override {
+    return launch("internal force", points,
+                  transfer::InternalForce<Shape, Law, Device>{{points}, laws, force});
+  }
+  std::int64_t tangent(const Points& points, const Laws& laws,
+                       const transfer::BlockRows<Device>& rows) const override {
+    return launch("tangent", points,
+                  transfer::Tangent<Shape, Law, Device, transfer::BlockRows<Device>>{
+                      {points}, laws, rows});
+  }
+  std::int64_t tangent(const Points& points, const Laws& laws,
+                       const transfer::StencilRows<Device>& rows) const override {
+    return launch("tangent", points,
+                  transfer::Tangent<Shape, Law, Device, transfer::StencilRows<Device>>{
+                      {points}, laws, rows});
+  }
+  void tangent_times(const Points& points, const Laws& laws, const ConstNodeView& direction,
+                     const NodeView& product) const override {
+    launch("tangent times", points,
+           transfer::TangentTimes<Shape, Law, Device>{{points}, laws, direction, product});
+  }
+  void external_force(const Points& points,
+                      const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
+                      const Kokkos::View<const double*, Device>& density,
+                      const NodeView& force) const override {
+    launch("external force", points,
+           transfer::ExternalForce<Shape, Device>{{points}, forces, density, force});
+  }
+  void project_displacement(const Points& points, const NodeView& displacement,
+                            const Kokkos::View<const double*, Device>& density,
+                            const NodeView& mass, const NodeView& momentum) const override {
+    launch("project displacement", points,
+           transfer::ProjectDisplacement<Shape, Device>{
+               {points}, displacement, density, mass, momentum});
+  }
+  std::int64_t gradient_from_displacement(const Points& points) const override {
+    return launch("gradient from displacement", points,
+                  transfer::GradientFromDisplacement<Shape, Device>{{points}});
+  }
+  void add_to_displacement(const Points& points) const override {
+    launch("keep displacement", points, transfer::AddToDisplacement<Shape, Device>{{points}});
+  }
+  void advance(const Points& points, const Particles& moved) const override {
+    launch("advance", points, transfer::Advance<Shape, Device>{{points}, moved});
+  }
+  void particle_fields(const Points& points, const Laws& laws,
+                       const transfer::ParticleFields<Device>& fields) const override {
+    launch("grid to particles", points,
+           transfer::GridToParticles<Shape, Law, Device>{{points}, laws, fields});
+  }
+  void layer_fields(const Points& points, const Laws& laws, int k, int first,
+                    const transfer::ParticleFields<Device>& fields) const override {
+    transfer::for_each_element_of_layer<grid::ExecutionSpace>(
+        "grid to particles", points.box, k,
+        transfer::GridToParticles<Shape, Law, Device>{{points}, laws, fields, first});
+  }
+
+ private:
+  template <class Kernel>
+  static std::int64_t launch(const char* name, const Points& points, const Kernel& kernel) {
+    return transfer::for_each_element<Shape::width, grid::ExecutionSpace>(name, points.box, kernel);
+  }
+};
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,70 @@
+#pragma once
+
+/// \file
+/// The transfer kernels of one kind of shape functions, behind one interface: what is compiled once
+/// per kind, and chosen once per run.
+
+#include <memory>
+
+#include "grid/Types.hpp"
+#include "material/NeoHookean.hpp"
+#include "transfer/ExternalForce.hpp"
+#include "transfer/GridToParticles.hpp"
+#include "transfer/StencilRows.hpp"
+#include "transfer/Tangent.hpp"
+
+namespace stroma::mechanics {
+
+/// Launches kernels over the points of a rank. Views over nodes are those of the touched nodes
+/// (grid::Partition::touched_nodes); what is "added to" must be zeroed by the caller. Functions that
+/// return a number count the points that the displacement turns inside out.
+class ShapeKernels {
+ public:
+  using Device = grid::Device;
+  using Law = material::NeoHookean;
+  using Laws = Kokkos::View<const Law*, Device>;
+  using Points = transfer::PointSet<Device>;
+  using NodeView = grid::NodeView;
+  using ConstNodeView = grid::ConstNodeView;
+  using Particles = particles::Particles<Device>;
+
+  virtual ~ShapeKernels() = default;
+
+  /// transfer::InternalForce; force is added to.
+  virtual std::int64_t internal_force(const Points& points, const Laws& laws,
+                                      const NodeView& force) const = 0;
+  /// transfer::Tangent.
+  virtual std::int64_t tangent(const Points& points, const Laws& laws,
+                               const transfer::BlockRows<Device>& rows) const = 0;
+  virtual std::int64_t tangent(const Points& points, const Laws& laws,
+                               const transfer::StencilRows<Device>& rows) const = 0;
+  /// transfer::TangentTimes; product is added to.
+  virtual void tangent_times(const Points& points, const Laws& laws,
+                             const ConstNodeView& direction, const NodeView& product) const = 0;
+  /// transfer::ExternalForce; force is added to.
+  virtual void external_force(const Points& points,
+                              const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
+                              const Kokkos::View<const double*, Device>& density,
+                              const NodeView& force) const = 0;
+  /// transfer::ProjectDisplacement; mass and momentum are added to.
+  virtual void project_displacement(const Points& points, const NodeView& displacement,
+                                    const Kokkos::View<const double*, Device>& density,
+                                    const NodeView& mass, const NodeView& momentum) const = 0;
+  /// transfer::GradientFromDisplacement: writes the particles' base gradients.
+  virtual std::int64_t gradient_from_displacement(const Points& points) const = 0;
+  /// transfer::AddToDisplacement: writes the particles' base displacements.
+  virtual void add_to_displacement(const Points& points) const = 0;
+  /// transfer::Advance: writes position, base displacement and gradient of `moved`.
+  virtual void advance(const Points& points, const Particles& moved) const = 0;
+  /// transfer::GridToParticles, of all particles.
+  virtual void particle_fields(const Points& points, const Laws& laws,
+                               const transfer::ParticleFields<Device>& fields) const = 0;
+  /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
+  virtual void layer_fields(const Points& points, const Laws& laws, int k, int first,
+                            const transfer::ParticleFields<Device>& fields) const = 0;
+};
+
+/// The kernels of the trilinear hats.
+std::shared_ptr<const ShapeKernels> linear_kernels();
+
+}  // namespace stroma::mechanics
