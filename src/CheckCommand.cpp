@@ -113,7 +113,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   image::ImageSummary summary;
   const image::LabelVolume labels = read_labels(communicator, deck, summary);
   const Specimen specimen = make_specimen(communicator, deck, labels, summary);
-  const grid::Grid& grid = specimen.partition.grid();
+  const grid::Grid& grid = specimen.body;
   check_image(communicator, deck, summary, labels, grid.spacing, log);
 
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,

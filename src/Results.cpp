@@ -172,7 +172,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
                      const std::function<double()>& seconds) {
   if (particles_step_ != rows_.back().step) write_particles(balance, u);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
-  const grid::Grid& grid = specimen_->partition.grid();
+  const grid::Grid& grid = specimen_->body;
   const auto moving =
       moving_supports(deck_->parameters, {grid.length(0), grid.length(1), grid.length(2)});
   std::optional<base::Stage> stage("pictures");
@@ -195,7 +195,7 @@ void Results::print_bounds() const {
     volumes.push_back(material.volume);
     solid += material.volume;
   }
-  const grid::Grid& grid = specimen_->partition.grid();
+  const grid::Grid& grid = specimen_->body;
   const double box = grid.length(0) * grid.length(1) * grid.length(2);
   const auto lines = bounds_table(deck_->parameters.materials.materials, volumes,
                                   deck_->parameters.grid.plane_strain, solid < box * (1.0 - 1e-9));

@@ -20,7 +20,7 @@ using base::format;
 void describe(const base::Communicator& communicator, const Specimen& specimen,
               const mechanics::MomentumBalance& balance, base::Log& log) {
   const image::ImageSummary& image = specimen.image;
-  const grid::Grid& grid = specimen.partition.grid();
+  const grid::Grid& grid = specimen.body;
   log.line(format("image      %lld x %lld x %lld voxels of %g x %g x %g um (%s)",
                   static_cast<long long>(image.size[0]), static_cast<long long>(image.size[1]),
                   static_cast<long long>(image.size[2]), image.voxel_size.um[0],

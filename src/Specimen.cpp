@@ -2,7 +2,9 @@
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "grid/ShapeGrid.hpp"
 #include "image/ReadVolume.hpp"
+#include "particles/Migration.hpp"
 
 namespace stroma {
 
@@ -24,17 +26,20 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
     for (std::size_t d = 0; d < 3; ++d)
       grid.origin[d] = static_cast<double>((*p.image.region)[d]) * labels.voxel_size[d];
 
-  const auto partition = grid::Partition::balanced(
+  const auto lattice = grid::Partition::balanced(
       grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
-  Specimen specimen{summary,
-                    partition,
-                    particles::seed(communicator, p.particles, partition, labels,
-                                    material::material_of_label(p.materials.materials)),
-                    {},
-                    0};
-  for (int d = 0; d < 3; ++d)
-    specimen.particle_spacing[static_cast<std::size_t>(d)] = particles::particle_spacing(
-        p.particles, grid, d, labels.voxel_size[static_cast<std::size_t>(d)]);
+  auto particles = particles::seed(communicator, p.particles, lattice, labels,
+                                   material::material_of_label(p.materials.materials));
+  const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
+  if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
+  Specimen specimen{summary, grid, partition, particles, {}, {}, 0};
+  for (int d = 0; d < 3; ++d) {
+    const double voxel = labels.voxel_size[static_cast<std::size_t>(d)];
+    specimen.particle_spacing[static_cast<std::size_t>(d)] =
+        particles::particle_spacing(p.particles, grid, d, voxel);
+    specimen.particle_half_edge[static_cast<std::size_t>(d)] =
+        particles::domain_half_edge(p.particles, grid, d, voxel);
+  }
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
@@ -44,7 +49,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
 mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   const DeckParameters& p = deck.parameters;
   mechanics::Problem problem;
-  problem.body = specimen.partition.grid();
+  problem.body = specimen.body;
   problem.laws = material::laws(p.materials.materials);
   problem.conditions = p.boundary_conditions.conditions;
   problem.forces = p.external_forces.forces;
@@ -52,6 +57,9 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
     if (named.second.density) problem.density.push_back(*named.second.density);
   if (problem.density.size() != problem.laws.size()) problem.density.clear();
   problem.particle_spacing = specimen.particle_spacing;
+  problem.particle_half_edge = specimen.particle_half_edge;
+  problem.shape_functions = p.grid.shape_functions;
+  problem.particle_domain = p.grid.particle_domain;
   problem.reset = p.grid.reset;
   problem.deformation_gradient = p.grid.deformation_gradient;
   problem.stabilization = grid::stabilization(p.grid);

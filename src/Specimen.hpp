@@ -17,9 +17,11 @@ namespace stroma {
 /// Image, grid and particles of one deck, this rank's part.
 struct Specimen {
   image::ImageSummary image;
-  grid::Partition partition;
+  grid::Grid body;            ///< the lattice of elements that fills the body's box
+  grid::Partition partition;  ///< of the grid that the shape functions need over it
   particles::Particles<grid::Device> particles;  ///< of the undeformed body
   std::array<double, 3> particle_spacing;        ///< distance of neighbouring particles [um]
+  std::array<double, 3> particle_half_edge;      ///< of a particle's domain [um]
 
   std::int64_t particle_count;  ///< over all ranks
 };

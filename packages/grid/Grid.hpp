@@ -3,6 +3,7 @@
 /// \file
 /// The background grid: a Cartesian box of elements, and boxes of indices in it.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -42,24 +43,54 @@ void for_each_index(const Box& box, const Function& f) {
       for (std::int64_t i = box.begin[0]; i < box.end[0]; ++i) f(Index3{i, j, k});
 }
 
-/// Cartesian grid of box elements. Node (i, j, k) lies at origin + (i, j, k) * spacing.
+/// Cartesian grid of box elements, and where its shape functions lie.
+///
+/// In each direction `width` functions are not zero in an element: element e holds the functions e
+/// to e + width - 1, so there are elements + width - 1 of them. A function, with the unknowns that
+/// it carries, is called a node, wherever it lies:
+///
+/// - hats (width 2): at the corners of elements, origin + f * spacing;
+/// - B-splines of degree p = width - 1 with open knots: at the Greville points, where the
+///   coefficients of a linear field are its values,
+///       origin + spacing / p * sum_(k = 1..p) clamp(f - p + k, 0, elements);
+/// - hats averaged over the domains of particles (width 3): each element is centred at a node of
+/// the
+///   lattice, and function f lies at the centre of element f - 1, origin + (f - 1/2) * spacing.
 struct Grid {
   Index3 elements{1, 1, 1};                      ///< elements per direction
-  std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< position of node (0, 0, 0) [um]
+  std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< lower corner of element (0, 0, 0) [um]
   std::array<double, 3> spacing{1.0, 1.0, 1.0};  ///< size of an element [um]
   /// Plane strain: one element through z, whose lower and upper nodes are one and the same, for
   /// nothing varies along z. Half the unknowns, and none of the stiff modes across a thin slice.
   bool flat = false;
+  int width = 2;          ///< shape functions per direction that an element sees
+  bool centered = false;  ///< elements are centred at nodes of the lattice
 
   Box all_elements() const { return {{0, 0, 0}, elements}; }
   Box all_nodes() const {
-    return {{0, 0, 0}, {elements[0] + 1, elements[1] + 1, flat ? 1 : elements[2] + 1}};
+    Box box = all_elements();
+    for (int d = 0; d < 3; ++d) box.end[d] += beyond(d);
+    return box;
   }
+  /// Nodes along d beyond one per element; in plane strain there is one node along z.
+  int beyond(int d) const { return flat && d == 2 ? 0 : width - 1; }
   double length(int d) const { return static_cast<double>(elements[d]) * spacing[d]; }
   std::array<double, 3> node_position(const Index3& node) const {
     std::array<double, 3> x;
-    for (int d = 0; d < 3; ++d) x[d] = origin[d] + static_cast<double>(node[d]) * spacing[d];
+    for (int d = 0; d < 3; ++d) x[d] = origin[d] + node_place(d, node[d]) * spacing[d];
     return x;
+  }
+
+ private:
+  /// Where node f lies along d, in elements from the origin.
+  double node_place(int d, std::int64_t f) const {
+    if (flat && d == 2) return 0.0;
+    if (centered) return static_cast<double>(f) - 0.5;
+    const int degree = width - 1;
+    std::int64_t sum = 0;
+    for (int k = 1; k <= degree; ++k)
+      sum += std::clamp<std::int64_t>(f - degree + k, 0, elements[d]);
+    return static_cast<double>(sum) / degree;
   }
 };
 

@@ -22,8 +22,21 @@ deck::Section<GridParameters> grid_section() {
       "true: the grid returns to its Cartesian shape after each load step and particles move "
       "across it (the standard Material Point Method). false: it convects with the particles.");
   section.choice("Shape Functions", &GridParameters::shape_functions,
-                 {{"Linear", ShapeFunctions::linear}},
-                 "Interpolation between particles and nodes.");
+                 {{"Linear", ShapeFunctions::linear},
+                  {"GIMP", ShapeFunctions::gimp},
+                  {"CPDI", ShapeFunctions::cpdi},
+                  {"Quadratic B-Spline", ShapeFunctions::quadratic_b_spline},
+                  {"Cubic B-Spline", ShapeFunctions::cubic_b_spline}},
+                 "Interpolation between particles and nodes. Linear: hats, whose gradients jump "
+                 "where a particle enters another element. GIMP: hats averaged over a box around "
+                 "each particle. CPDI: the same over a parallelepiped that deforms with the "
+                 "particle. B-splines are smooth themselves. With Reset, all but Linear are free "
+                 "of the crossing artefact; they cost more (docs/performance.md).");
+  section.choice(
+      "Particle Domain", &GridParameters::particle_domain,
+      {{"Stretched", ParticleDomain::stretched}, {"Undeformed", ParticleDomain::undeformed}},
+      "Of GIMP and CPDI with Reset: the domain of a particle follows its deformation "
+      "gradient, or stays as it was seeded.");
   section.choice(
       "Deformation Gradient", &GridParameters::deformation_gradient,
       {{"Incremental", DeformationGradient::incremental},

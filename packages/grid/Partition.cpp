@@ -102,13 +102,13 @@ Box Partition::elements(int rank) const {
 Box Partition::owned_nodes(int rank) const {
   Box box = elements(rank);
   for (int d = 0; d < 3; ++d)
-    if (box.end[d] == grid_.elements[d] && !(grid_.flat && d == 2)) ++box.end[d];
+    if (box.end[d] == grid_.elements[d]) box.end[d] += grid_.beyond(d);
   return box;
 }
 
 Box Partition::touched_nodes(int rank) const {
   Box box = elements(rank);
-  for (int d = 0; d < (grid_.flat ? 2 : 3); ++d) ++box.end[d];
+  for (int d = 0; d < 3; ++d) box.end[d] += grid_.beyond(d);
   return box;
 }
 

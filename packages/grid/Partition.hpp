@@ -15,9 +15,10 @@ namespace stroma::grid {
 /// intervals (r mod px, r / px mod py, r / (px py)). Everything about it follows by arithmetic from
 /// the three lists of cuts, so that no rank stores anything of the size of the grid.
 ///
-/// A node belongs to the rank of the element above it (of the last element, at the upper faces); a
-/// rank touches all nodes of its elements. Nodes are numbered rank by rank, and lexicographically
-/// (x fastest) inside the box of one rank, so that each rank owns a contiguous range.
+/// A node belongs to the rank of the first element that sees it by the same number (of the last
+/// element, at the upper faces); a rank touches all nodes that its elements see. Nodes are numbered
+/// rank by rank, and lexicographically (x fastest) inside the box of one rank, so that each rank
+/// owns a contiguous range.
 class Partition {
  public:
   /// \param cuts  per direction, the first element of each interval, and the number of elements
@@ -35,6 +36,8 @@ class Partition {
   /// Ranks per direction.
   int intervals(int d) const { return static_cast<int>(cuts_[d].size()) - 1; }
 
+  /// The first element of each interval, and the number of elements, along d.
+  const std::vector<std::int64_t>& cuts(int d) const { return cuts_[d]; }
   Box elements(int rank) const;
   Box owned_nodes(int rank) const;
   Box touched_nodes(int rank) const;

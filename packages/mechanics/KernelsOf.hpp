@@ -3,16 +3,27 @@
 /// \file
 /// The kernels for one kind of shape functions; to be included where that kind is compiled.
 
+#include <stdexcept>
+
 #include "mechanics/ShapeKernels.hpp"
 #include "transfer/Advance.hpp"
 #include "transfer/InternalForce.hpp"
 #include "transfer/Projection.hpp"
+#include "transfer/Touch.hpp"
 
 namespace stroma::mechanics {
 
 template <class Shape>
 class KernelsOf : public ShapeKernels {
  public:
+  int fictitious_points() const override {
+    return transfer::ElementParticles<Shape, Device>::fictitious_points;
+  }
+  void touch(const Points& points, const Kokkos::View<const std::uint8_t*, Device>& chosen,
+             bool with_fictitious_points, const NodeView& count) const override {
+    launch("touch", points,
+           transfer::Touch<Shape, Device>{{points}, chosen, with_fictitious_points, count});
+  }
   std::int64_t internal_force(const Points& points, const Laws& laws,
                               const NodeView& force) const override {
     return launch("internal force", points,
@@ -20,15 +31,18 @@ class KernelsOf : public ShapeKernels {
   }
   std::int64_t tangent(const Points& points, const Laws& laws,
                        const transfer::BlockRows<Device>& rows) const override {
-    return launch("tangent", points,
-                  transfer::Tangent<Shape, Law, Device, transfer::BlockRows<Device>>{
-                      {points}, laws, rows});
+    return launch(
+        "tangent", points,
+        transfer::Tangent<Shape, Law, Device, transfer::BlockRows<Device>>{{points}, laws, rows});
   }
   std::int64_t tangent(const Points& points, const Laws& laws,
                        const transfer::StencilRows<Device>& rows) const override {
-    return launch("tangent", points,
-                  transfer::Tangent<Shape, Law, Device, transfer::StencilRows<Device>>{
-                      {points}, laws, rows});
+    if constexpr (Shape::width == 2)
+      return launch("tangent", points,
+                    transfer::Tangent<Shape, Law, Device, transfer::StencilRows<Device>>{
+                        {points}, laws, rows});
+    else
+      throw std::logic_error("a stencil of 27 blocks cannot hold the tangent of wider functions");
   }
   void tangent_times(const Points& points, const Laws& laws, const ConstNodeView& direction,
                      const NodeView& product) const override {

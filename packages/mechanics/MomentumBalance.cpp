@@ -18,62 +18,31 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(rank);
   transfer::ElementBox box;
-  const auto corner = grid.node_position(elements.begin);
   box.flat = grid.flat;
+  box.beyond = grid.width - 1;
   for (int d = 0; d < 3; ++d) {
     box.elements[d] = static_cast<int>(elements.extent(d));
-    box.corner[d] = corner[d];
+    box.first[d] = static_cast<int>(elements.begin[d]);
+    box.all[d] = static_cast<int>(grid.elements[d]);
+    box.corner[d] = grid.origin[d] + static_cast<double>(elements.begin[d]) * grid.spacing[d];
     box.spacing[d] = grid.spacing[d];
     box.inverse_spacing[d] = 1.0 / grid.spacing[d];
   }
   return box;
 }
 
-/// (touched node) the elements around it, of any rank, that hold a particle for which
-/// belongs(particle) is true.
-template <class Belongs>
-Supports::NodeCounts elements_around(const grid::Halo& halo, const transfer::ElementBox& box,
-                                     const particles::Particles<grid::Device>& particles,
-                                     const Belongs& belongs) {
-  const auto element_begin =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.element_begin);
-  const grid::NodeView touches = halo.contributions();
-  const auto touch = Kokkos::create_mirror_view(touches);
-  Kokkos::deep_copy(touch, 0.0);
-  for (int k = 0; k < box.elements[2]; ++k)
-    for (int j = 0; j < box.elements[1]; ++j)
-      for (int i = 0; i < box.elements[0]; ++i) {
-        const int e = box.element(i, j, k);
-        int p = element_begin(e);
-        while (p < element_begin(e + 1) && !belongs(p)) ++p;
-        if (p == element_begin(e + 1)) continue;
-        for (int a = 0; a < 8; ++a)
-          touch(box.node(i + (a & 1), j + (a >> 1 & 1), k + (a >> 2)), 0) += 1.0;
-      }
-  Kokkos::deep_copy(touches, touch);
-  grid::Vector owned(halo.owned_map());
-  halo.sum_to_owner(owned);
-  const auto everywhere =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo.gather(owned));
-  Supports::NodeCounts counts("elements around", everywhere.extent(0));
-  const auto count = Kokkos::create_mirror_view(counts);
-  for (std::size_t n = 0; n < everywhere.extent(0); ++n)
-    count(n) = static_cast<std::uint8_t>(everywhere(n, 0) + 0.5);
-  Kokkos::deep_copy(counts, count);
-  return counts;
-}
-
-/// Counts for the grip of a condition: the particles that lay in the outermost layer of elements
-/// along its face (along all faces, for Face::all) when the body was undeformed.
-Supports::NodeCounts grip(const grid::Halo& halo, const transfer::ElementBox& box,
-                          const particles::Particles<grid::Device>& particles,
-                          const grid::Grid& body, Face face) {
+/// Marks the particles of the grip of a condition: those that lay in the outermost layer of
+/// elements along its face (along all faces, for Face::all) when the body was undeformed.
+Kokkos::View<std::uint8_t*, grid::Device> grip(const particles::Particles<grid::Device>& particles,
+                                               const grid::Grid& body, Face face) {
   const auto position =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.position);
   const auto displacement =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.base_displacement);
   const bool has_base = particles.base_gradient.extent(0) != 0;
-  return elements_around(halo, box, particles, [&](int p) {
+  const Kokkos::View<std::uint8_t*, grid::Device> gripped("gripped", particles.count());
+  const auto mark = Kokkos::create_mirror_view(gripped);
+  for (int p = 0; p < particles.count(); ++p)
     for (int d = 0; d < 3; ++d) {
       if (face != Face::all && axis_of(face) != d) continue;
       const double X = position(p, d) - (has_base ? displacement(p, d) : 0.0);
@@ -81,10 +50,10 @@ Supports::NodeCounts grip(const grid::Halo& halo, const transfer::ElementBox& bo
           std::floor((X - body.origin[d]) / body.spacing[d] + particles::face_tolerance);
       const bool lower = layer <= 0.0;
       const bool upper = layer >= static_cast<double>(body.elements[d] - 1);
-      if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) return true;
+      if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) mark(p) = 1;
     }
-    return false;
-  });
+  Kokkos::deep_copy(gripped, mark);
+  return gripped;
 }
 
 template <class T>
@@ -104,7 +73,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const particles::Particles<Device>& particles,
                                  const Problem& problem, double base_load)
     : communicator_(communicator),
-      kernels_(linear_kernels()),
+      kernels_(kernels_for(problem.shape_functions, partition.grid().flat)),
       halo_(communicator, partition),
       particles_(particles),
       box_(element_box(partition, communicator.rank())),
@@ -112,6 +81,8 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       density_(to_device("density", problem.density.empty()
                                         ? std::vector<double>(problem.laws.size(), 1.0)
                                         : problem.density)),
+      half_edge_(problem.particle_half_edge),
+      stretches_domains_(problem.particle_domain == grid::ParticleDomain::stretched),
       load_(base_load) {
   double stiffest = 0.0;
   for (const Law& law : problem.laws)
@@ -123,11 +94,10 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
   for (std::size_t m = 0; m < grips.size(); ++m) {
     const BoundaryCondition& condition = problem.conditions[m].second;
     if (problem.imposed_by(condition) == ImposedBy::grip)
-      grips[m] = grip(halo_, box_, particles_, problem.body, *condition.face);
+      grips[m] = elements_around(grip(particles_, problem.body, *condition.face), false);
   }
-  supports_ = std::make_unique<Supports>(
-      halo_, problem, base_load, elements_around(halo_, box_, particles_, [](int) { return true; }),
-      grips);
+  supports_ =
+      std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true), grips);
   if (!problem.forces.empty()) find_external_force(problem);
 }
 
@@ -138,11 +108,29 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     : MomentumBalance(communicator, partition, particles,
                       Problem{partition.grid(), laws, conditions, {}, {}}) {}
 
+Supports::NodeCounts MomentumBalance::elements_around(
+    const Kokkos::View<const std::uint8_t*, Device>& chosen, bool with_fictitious_points) const {
+  const grid::Vector at_rest(halo_.owned_map());
+  kernels_->touch(points(at_rest), chosen, with_fictitious_points, halo_.contributions());
+  grid::Vector owned(halo_.owned_map());
+  halo_.sum_to_owner(owned);
+  const grid::ConstNodeView everywhere = halo_.gather(owned);
+  const Supports::NodeCounts counts("elements around", everywhere.extent(0));
+  Kokkos::parallel_for(
+      "elements around",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(counts.extent(0))),
+      KOKKOS_LAMBDA(const int n) {
+        counts(n) = static_cast<std::uint8_t>(everywhere(n, 0) + 0.5);
+      });
+  return counts;
+}
+
 void MomentumBalance::find_fictitious_points(double stabilization) {
   const std::size_t count = particles_.element_begin.extent(0) - 1;
   const double element_volume = box_.spacing[0] * box_.spacing[1] * box_.spacing[2];
   Kokkos::View<float*, Device> volume("fictitious volume", count);
   const auto particles = particles_;
+  const double count_of_element = kernels_->fictitious_points();
   std::int64_t found = 0;
   Kokkos::parallel_reduce(
       "fictitious points", Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(count)),
@@ -156,7 +144,8 @@ void MomentumBalance::find_fictitious_points(double stabilization) {
           filled += particles.volume(p) * (1.0 + tensor::det_minus_one(H));
         }
         if (!(filled > 0.0 && filled < 0.5 * element_volume)) return;
-        volume(e) = static_cast<float>(stabilization * (element_volume - filled) / 8.0);
+        volume(e) =
+            static_cast<float>(stabilization * (element_volume - filled) / count_of_element);
         ++sum;
       },
       found);
@@ -184,7 +173,12 @@ Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements() con
 }
 
 MomentumBalance::Points MomentumBalance::points(const grid::Vector& u) const {
-  return {box_, particles_, halo_.gather(u), fictitious_volume_};
+  return {box_,
+          particles_,
+          halo_.gather(u),
+          fictitious_volume_,
+          {half_edge_[0], half_edge_[1], half_edge_[2]},
+          stretches_domains_};
 }
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {

@@ -127,6 +127,10 @@ class MomentumBalance {
   using Points = transfer::PointSet<Device>;
   Points points(const grid::Vector& u) const;
   void find_fictitious_points(double stabilization);
+  /// (touched node) the elements around it, of any rank, in which a chosen particle, or a
+  /// fictitious point, touches it.
+  Supports::NodeCounts elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
+                                       bool with_fictitious_points) const;
   void find_external_force(const Problem& problem);
 
   base::Communicator communicator_;
@@ -137,6 +141,8 @@ class MomentumBalance {
   Kokkos::View<const Law*, Device> law_;
   Kokkos::View<const double*, Device> density_;  // of each material
   Kokkos::View<const float*, Device> fictitious_volume_;
+  std::array<double, 3> half_edge_;  // of the particles' domains, as seeded [um]
+  bool stretches_domains_;
   double typical_diagonal_;  // [pN/um]
   double load_ = 0.0;
   grid::RCP<const grid::Vector> external_force_;

@@ -4,6 +4,7 @@
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "grid/ShapeGrid.hpp"
 #include "particles/Migration.hpp"
 
 namespace stroma::mechanics {
@@ -44,7 +45,8 @@ bool MovingBody::begin_step() {
 void MovingBody::reset_grid() {
   const base::Stage stage("grid reset");
   auto moved = balance_->moved_particles(*displacement_);
-  const grid::Grid grid = particles::covering_grid(communicator_, problem_.body, moved);
+  const grid::Grid grid = particles::covering_grid(
+      communicator_, grid::grid_for(problem_.shape_functions, problem_.body), moved);
   const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
   moved = particles::migrate(communicator_, partition, moved);
   try {

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "grid/GridSection.hpp"
 #include "grid/Types.hpp"
 #include "material/NeoHookean.hpp"
 #include "transfer/ExternalForce.hpp"
@@ -16,8 +17,8 @@
 namespace stroma::mechanics {
 
 /// Launches kernels over the points of a rank. Views over nodes are those of the touched nodes
-/// (grid::Partition::touched_nodes); what is "added to" must be zeroed by the caller. Functions that
-/// return a number count the points that the displacement turns inside out.
+/// (grid::Partition::touched_nodes); what is "added to" must be zeroed by the caller. Functions
+/// that return a number count the points that the displacement turns inside out.
 class ShapeKernels {
  public:
   using Device = grid::Device;
@@ -30,17 +31,24 @@ class ShapeKernels {
 
   virtual ~ShapeKernels() = default;
 
+  /// Fictitious points of an element that has some (transfer::ElementParticles).
+  virtual int fictitious_points() const = 0;
+  /// transfer::Touch; count is added to.
+  virtual void touch(const Points& points, const Kokkos::View<const std::uint8_t*, Device>& chosen,
+                     bool with_fictitious_points, const NodeView& count) const = 0;
+
   /// transfer::InternalForce; force is added to.
   virtual std::int64_t internal_force(const Points& points, const Laws& laws,
                                       const NodeView& force) const = 0;
   /// transfer::Tangent.
   virtual std::int64_t tangent(const Points& points, const Laws& laws,
                                const transfer::BlockRows<Device>& rows) const = 0;
+  /// The same as a stencil of 27 blocks a row: of hats only.
   virtual std::int64_t tangent(const Points& points, const Laws& laws,
                                const transfer::StencilRows<Device>& rows) const = 0;
   /// transfer::TangentTimes; product is added to.
-  virtual void tangent_times(const Points& points, const Laws& laws,
-                             const ConstNodeView& direction, const NodeView& product) const = 0;
+  virtual void tangent_times(const Points& points, const Laws& laws, const ConstNodeView& direction,
+                             const NodeView& product) const = 0;
   /// transfer::ExternalForce; force is added to.
   virtual void external_force(const Points& points,
                               const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
@@ -64,7 +72,14 @@ class ShapeKernels {
                             const transfer::ParticleFields<Device>& fields) const = 0;
 };
 
-/// The kernels of the trilinear hats.
+/// The kernels for a choice of shape functions, in space or in plane strain.
+std::shared_ptr<const ShapeKernels> kernels_for(grid::ShapeFunctions shape_functions, bool flat);
+
+// One per kind, each in its own file: they take long to compile.
 std::shared_ptr<const ShapeKernels> linear_kernels();
+std::shared_ptr<const ShapeKernels> gimp_kernels(bool flat);
+std::shared_ptr<const ShapeKernels> cpdi_kernels(bool flat);
+std::shared_ptr<const ShapeKernels> quadratic_b_spline_kernels(bool flat);
+std::shared_ptr<const ShapeKernels> cubic_b_spline_kernels(bool flat);
 
 }  // namespace stroma::mechanics

@@ -7,11 +7,12 @@
 namespace stroma::mechanics {
 namespace {
 
-constexpr int stencil = 27;
-constexpr std::uint8_t no_neighbour = 255;
+constexpr std::uint16_t no_neighbour = 65535;
 
-grid::Index3 neighbour(const grid::Index3& node, int s) {
-  return {node[0] + s % 3 - 1, node[1] + s / 3 % 3 - 1, node[2] + s / 9 - 1};
+grid::Index3 neighbour(const grid::Index3& node, int reach, int s) {
+  const int side = 2 * reach + 1;
+  return {node[0] + s % side - reach, node[1] + s / side % side - reach,
+          node[2] + s / (side * side) - reach};
 }
 
 /// Map of whole nodes (not unknowns).
@@ -27,7 +28,9 @@ grid::RCP<const grid::Map> node_map(const grid::Halo& halo,
 
 TangentMatrix::TangentMatrix(const grid::Halo& halo,
                              const Kokkos::View<std::uint8_t*, Device>& held, double diagonal)
-    : halo_(&halo), diagonal_(diagonal) {
+    : halo_(&halo), diagonal_(diagonal), reach_(halo.partition().grid().width - 1) {
+  const int side = 2 * reach_ + 1;
+  stencil_ = side * side * side;
   rows_.held = held;
   build_graph();
   build_exchange();
@@ -40,8 +43,8 @@ void TangentMatrix::build_graph() {
   const grid::Box owned = partition.owned_nodes(rank);
   grid::Box columns = owned;
   for (int d = 0; d < 3; ++d) {
-    columns.begin[d] = std::max(columns.begin[d] - 1, all.begin[d]);
-    columns.end[d] = std::min(columns.end[d] + 1, all.end[d]);
+    columns.begin[d] = std::max(columns.begin[d] - reach_, all.begin[d]);
+    columns.end[d] = std::min(columns.end[d] + reach_, all.end[d]);
   }
 
   // Columns: owned nodes first, then the others by their number, so that those of one rank stand
@@ -68,25 +71,29 @@ void TangentMatrix::build_graph() {
   }
 
   // Rows: the columns of a row must be sorted, or Tpetra's products are silently wrong.
-  slot_ = decltype(slot_)("slot", static_cast<std::size_t>(owned.count()));
+  slot_ = decltype(slot_)("slot", static_cast<std::size_t>(owned.count()),
+                          static_cast<std::size_t>(stencil_));
   row_begin_ = decltype(row_begin_)("row_begin", static_cast<std::size_t>(3 * owned.count() + 1));
   const auto slot = Kokkos::create_mirror_view(slot_);
   const auto row_begin = Kokkos::create_mirror_view(row_begin_);
   std::vector<int> sorted;
   std::vector<int> blocks_of_node;
-  blocks_of_node.reserve(static_cast<std::size_t>(stencil * owned.count()));
+  blocks_of_node.reserve(static_cast<std::size_t>(stencil_ * owned.count()));
   grid::for_each_index(owned, [&](const grid::Index3& node) {
     const std::int64_t n = owned.local(node);
     sorted.clear();
-    for (int s = 0; s < stencil; ++s)
-      if (all.contains(neighbour(node, s)))
-        sorted.push_back(column_of[static_cast<std::size_t>(columns.local(neighbour(node, s)))]);
+    for (int s = 0; s < stencil_; ++s) {
+      const grid::Index3 other = neighbour(node, reach_, s);
+      if (all.contains(other))
+        sorted.push_back(column_of[static_cast<std::size_t>(columns.local(other))]);
+    }
     std::sort(sorted.begin(), sorted.end());
-    for (int s = 0; s < stencil; ++s) {
+    for (int s = 0; s < stencil_; ++s) {
       slot(n, s) = no_neighbour;
-      if (!all.contains(neighbour(node, s))) continue;
-      const int column = column_of[static_cast<std::size_t>(columns.local(neighbour(node, s)))];
-      slot(n, s) = static_cast<std::uint8_t>(
+      const grid::Index3 other = neighbour(node, reach_, s);
+      if (!all.contains(other)) continue;
+      const int column = column_of[static_cast<std::size_t>(columns.local(other))];
+      slot(n, s) = static_cast<std::uint16_t>(
           std::lower_bound(sorted.begin(), sorted.end(), column) - sorted.begin());
     }
     for (int i = 0; i < 3; ++i) row_begin(3 * n + i + 1) = row_begin(3 * n + i) + 3 * sorted.size();
@@ -145,16 +152,16 @@ void TangentMatrix::build_exchange() {
   rows_.row = row_;
   if (halo_->communicator().size() == 1) return;
 
-  std::vector<grid::Index3> received;  // owned nodes on the lower faces, which neighbours touch
+  std::vector<grid::Index3> received;  // owned nodes near the lower faces, which neighbours touch
   grid::for_each_index(owned, [&](const grid::Index3& node) {
     for (int d = 0; d < 3; ++d)
-      if (node[d] == owned.begin[d] && node[d] > 0) {
+      if (node[d] < owned.begin[d] + reach_ && owned.begin[d] > 0) {
         received.push_back(node);
         break;
       }
   });
-  shared_ = Teuchos::rcp(new grid::MultiVector(node_map(*halo_, shared), 9 * stencil));
-  received_ = Teuchos::rcp(new grid::MultiVector(node_map(*halo_, received), 9 * stencil));
+  shared_ = Teuchos::rcp(new grid::MultiVector(node_map(*halo_, shared), 9 * stencil_));
+  received_ = Teuchos::rcp(new grid::MultiVector(node_map(*halo_, received), 9 * stencil_));
   export_ = Teuchos::rcp(new Tpetra::Export<>(shared_->getMap(), received_->getMap()));
   received_node_ = decltype(received_node_)("received_node", received.size());
   const auto received_node = Kokkos::create_mirror_view(received_node_);
@@ -175,6 +182,7 @@ transfer::BlockRows<grid::Device> TangentMatrix::begin() {
 void TangentMatrix::finish() {
   using Policy = Kokkos::RangePolicy<grid::ExecutionSpace>;
   const auto rows = rows_;
+  const int stencil = stencil_, own = stencil_ / 2;
   rows_.shared = {};
   if (shared_ != Teuchos::null) {
     received_->putScalar(0.0);
@@ -202,7 +210,7 @@ void TangentMatrix::finish() {
         if (n < 0) return;
         for (int c = 0; c < 3; ++c)
           if (rows.held(touched) >> c & 1)
-            rows.values(rows.row_begin(3 * n + c) + 3 * rows.slot(n, 13) + c) = diagonal;
+            rows.values(rows.row_begin(3 * n + c) + 3 * rows.slot(n, own) + c) = diagonal;
       });
 }
 

@@ -12,8 +12,9 @@ namespace stroma::mechanics {
 
 using Matrix = Tpetra::CrsMatrix<double>;
 
-/// A compressed row matrix over the unknowns of the nodes whose graph, a node and its 26
-/// neighbours, is built once, by arithmetic. It can be filled again and again:
+/// A compressed row matrix over the unknowns of the nodes whose graph, a node and all its
+/// neighbours within the shape functions' reach (width - 1: 27, 125 or 343 blocks a row; in plane
+/// strain 9, 25 or 49), is built once, by arithmetic. It can be filled again and again:
 ///
 ///     launch(tangent.begin());   // adds the blocks of this rank's elements
 ///     tangent.finish();          // rows shared with neighbours go to their owners
@@ -21,7 +22,7 @@ using Matrix = Tpetra::CrsMatrix<double>;
 /// Prescribed components keep their row and column, empty but for a constant on the diagonal, so
 /// that the matrix stays symmetric and three by three blocked.
 ///
-/// Memory: 12 bytes an entry, 81 entries a row.
+/// Memory: 12 bytes an entry, three entries a block and row.
 class TangentMatrix {
  public:
   using Device = grid::Device;
@@ -47,7 +48,8 @@ class TangentMatrix {
   double diagonal_;
   grid::RCP<Matrix> matrix_;
   transfer::BlockRows<Device> rows_;
-  Kokkos::View<std::uint8_t* [27], Device> slot_;
+  int reach_, stencil_;  // of a row, in nodes per direction; blocks in all
+  Kokkos::View<std::uint16_t**, Kokkos::LayoutRight, Device> slot_;
   Kokkos::View<int*, Device> row_;
   Kokkos::View<std::size_t*, Device> row_begin_;
   // Only with several ranks: blocks of nodes that others own, and of owned nodes that others touch.

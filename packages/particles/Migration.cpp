@@ -40,12 +40,12 @@ struct HostParticles {
     Record r;
     for (int i = 0; i < 3; ++i) {
       r.position[i] = position(p, i);
-      r.displacement[i] = displacement(p, i);
-      for (int j = 0; j < 3; ++j) r.gradient[i][j] = gradient(p, i, j);
+      r.displacement[i] = has_displacement() ? displacement(p, i) : 0.0;
+      for (int j = 0; j < 3; ++j) r.gradient[i][j] = has_gradient() ? gradient(p, i, j) : 0.0;
     }
     r.volume = volume(p);
     r.id = id(p);
-    r.home = home(p);
+    r.home = has_home() ? home(p) : 0;
     r.material = material(p);
     return r;
   }
@@ -53,12 +53,12 @@ struct HostParticles {
   void set(int p, const Record& r) const {
     for (int i = 0; i < 3; ++i) {
       position(p, i) = r.position[i];
-      displacement(p, i) = r.displacement[i];
-      for (int j = 0; j < 3; ++j) gradient(p, i, j) = r.gradient[i][j];
+      if (has_displacement()) displacement(p, i) = r.displacement[i];
+      for (int j = 0; j < 3 && has_gradient(); ++j) gradient(p, i, j) = r.gradient[i][j];
     }
     volume(p) = r.volume;
     id(p) = r.id;
-    home(p) = r.home;
+    if (has_home()) home(p) = r.home;
     material(p) = static_cast<std::uint8_t>(r.material);
   }
 
@@ -71,6 +71,11 @@ struct HostParticles {
     Kokkos::deep_copy(particles.home, home);
     Kokkos::deep_copy(particles.material, material);
   }
+
+  // What particles that do not move go without.
+  bool has_displacement() const { return displacement.extent(0) != 0; }
+  bool has_gradient() const { return gradient.extent(0) != 0; }
+  bool has_home() const { return home.extent(0) != 0; }
 
   Particles<grid::Device>::Vector3::HostMirror position, displacement;
   Particles<grid::Device>::Tensor::HostMirror gradient;
@@ -90,16 +95,21 @@ void allocate(View& view, const char* name, std::size_t count) {
   view = View(Kokkos::view_alloc(std::string(name), Kokkos::WithoutInitializing), count);
 }
 
-Particles<grid::Device> allocate_movable(std::size_t count, std::size_t elements) {
+/// Room for particles of the same kind as the given ones.
+Particles<grid::Device> allocate_like(const base::Communicator& communicator,
+                                      const HostParticles& given, std::size_t count,
+                                      std::size_t elements) {
   Particles<grid::Device> particles;
   allocate(particles.position, "position", count);
   allocate(particles.volume, "volume", count);
   allocate(particles.material, "material", count);
   allocate(particles.id, "id", count);
   allocate(particles.element_begin, "element_begin", elements + 1);
-  allocate(particles.base_displacement, "base_displacement", count);
-  allocate(particles.base_gradient, "base_gradient", count);
-  allocate(particles.home, "home", count);
+  if (communicator.any(given.has_displacement()))
+    allocate(particles.base_displacement, "base_displacement", count);
+  if (communicator.any(given.has_gradient()))
+    allocate(particles.base_gradient, "base_gradient", count);
+  if (communicator.any(given.has_home())) allocate(particles.home, "home", count);
   return particles;
 }
 
@@ -231,7 +241,7 @@ Particles<grid::Device> migrate(const base::Communicator& communicator,
               [](const Place& a, const Place& b) { return a.id < b.id; });
 
   const Particles<grid::Device> sorted =
-      allocate_movable(count, static_cast<std::size_t>(box.count()));
+      allocate_like(communicator, before, count, static_cast<std::size_t>(box.count()));
   const HostParticles after(sorted);
   for (std::size_t p = 0; p < count; ++p) {
     const auto n = static_cast<std::size_t>(order[p].source);

@@ -29,8 +29,8 @@ grid::Grid covering_grid(const base::Communicator& communicator, const grid::Gri
 grid::Partition balanced_partition(const base::Communicator& communicator, const grid::Grid& grid,
                                    const Particles<grid::Device>& particles);
 
-/// Sends each movable particle to the owner of its element and sorts them there by element, and by
-/// id within an element, so that the order does not depend on the ranks. Collective.
+/// Sends each particle to the owner of its element and sorts them there by element, and by id
+/// within an element, so that the order does not depend on the ranks. Collective.
 ///
 /// \throws base::RunError when a particle was lost on the way
 Particles<grid::Device> migrate(const base::Communicator& communicator,

@@ -59,6 +59,12 @@ double particle_spacing(const ParticleParameters& parameters, const grid::Grid& 
          points_along(parameters, grid, d);
 }
 
+double domain_half_edge(const ParticleParameters& parameters, const grid::Grid& grid, int d,
+                        double voxel_size) {
+  if (parameters.layout == Layout::gauss) return (0.5 - 0.5 / std::sqrt(3.0)) * grid.spacing[d];
+  return 0.5 * particle_spacing(parameters, grid, d, voxel_size);
+}
+
 AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& grid, int d,
                        std::int64_t begin, std::int64_t end, std::int64_t voxels,
                        double voxel_size) {

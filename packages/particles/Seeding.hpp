@@ -35,6 +35,12 @@ deck::Section<ParticleParameters> particles_section();
 double particle_spacing(const ParticleParameters& parameters, const grid::Grid& grid, int d,
                         double voxel_size);
 
+/// Half the edge along axis d of the domain that a particle stands for [um], centred at it: half
+/// the distance of neighbours; for Gauss points, which do not lie in the middle of their shares,
+/// the distance to the element's face. Domains neither overlap nor reach out of the body.
+double domain_half_edge(const ParticleParameters& parameters, const grid::Grid& grid, int d,
+                        double voxel_size);
+
 /// Where particles lie along one axis. Every layout is a tensor product of three of these, kept for
 /// a range of elements only.
 struct AxisLayout {

@@ -5,28 +5,33 @@
 
 #include <Kokkos_Core.hpp>
 
+#include "shape/Place.hpp"
+
 namespace stroma::shape {
 
 /// Trilinear hats: a particle's support is the eight nodes of its element. Local node
 /// a = ax + 2 (ay + 2 az) with ax, ay, az in {0, 1}.
 ///
-/// A shape function is a type with `width` (nodes per direction of an element's support box),
-/// `first` (offset of the box's first node from the element's own lower node), `nodes` = width^3,
-/// and evaluate(). Nodes of the box that a particle does not touch get zeros, so that all particles
-/// of an element share one list of nodes, and loops over it vectorise.
+/// A shape function is a type with `width` (functions per direction that are not zero in an
+/// element), `nodes` (their number; in plane strain of dimensions = 2 all lie in one layer),
+/// whether it asks for the element's number or the point's domain, and evaluate(). Functions that a
+/// particle does not touch get zeros, so that all particles of an element share one list of nodes,
+/// and loops over it vectorise.
 struct Linear {
   static constexpr int width = 2;
-  static constexpr int first = 0;
+  static constexpr int dimensions = 3;
   static constexpr int nodes = 8;
+  static constexpr bool knows_ends = false;
+  static constexpr bool has_domain = false;
 
   /// Values and gradients of all nodes of the support.
   ///
-  /// \param xi         natural coordinates in the element, 0 to 1 per direction [-]
-  /// \param inverse_h  1 / element size per direction [1/um]
   /// \param N          values (a) [-]
   /// \param gradient   gradients (j, a) = dN_a/dx_j [1/um]; a runs fastest
-  KOKKOS_INLINE_FUNCTION static void evaluate(const double xi[3], const double inverse_h[3],
-                                              double N[nodes], double gradient[3][nodes]) {
+  KOKKOS_INLINE_FUNCTION static void evaluate(const Place& place, double N[nodes],
+                                              double gradient[3][nodes]) {
+    const auto& xi = place.xi;
+    const auto& inverse_h = place.inverse_h;
     const double x[2] = {1.0 - xi[0], xi[0]};
     const double y[2] = {1.0 - xi[1], xi[1]};
     const double z[2] = {1.0 - xi[2], xi[2]};

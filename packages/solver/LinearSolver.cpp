@@ -14,6 +14,7 @@ std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& para
                                                     const mechanics::MomentumBalance& balance) {
   switch (parameters.preconditioner) {
     case PreconditionerKind::geometric_multigrid:
+      if (balance.halo().partition().grid().width > 2) return make_muelu(parameters, balance);
       return make_geometric_multigrid(balance);
     case PreconditionerKind::multigrid:
       return make_muelu(parameters, balance);
@@ -70,7 +71,8 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     SolverParameters jacobi = parameters_;
     jacobi.preconditioner = PreconditionerKind::jacobi;
     jacobi.ifpack2 = Teuchos::null;
-    const bool is_stencil = parameters_.preconditioner == PreconditionerKind::geometric_multigrid;
+    const bool is_stencil =
+        Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(tangent_) != Teuchos::null;
     const auto plain = is_stencil ? make_block_jacobi() : make_ifpack2(jacobi);
     plain->compute(tangent_);
     result = run_belos(*plain, b, x, tolerance);

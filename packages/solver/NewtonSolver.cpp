@@ -64,7 +64,8 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
 void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
   model_ = Teuchos::null;
   balance_ = &balance;
-  balance.choose_tangent(parameters_.preconditioner == PreconditionerKind::geometric_multigrid
+  balance.choose_tangent(parameters_.preconditioner == PreconditionerKind::geometric_multigrid &&
+                                 balance.halo().partition().grid().width == 2
                              ? mechanics::TangentForm::stencil
                              : mechanics::TangentForm::compressed_rows);
   linear_solver_ = std::make_unique<LinearSolver>(parameters_, balance);

@@ -9,20 +9,23 @@
 
 namespace stroma::transfer {
 
-/// A rank's part of the grid as kernels see it: its box of elements, and the nodes they touch. All
+/// A rank's part of the grid as kernels see it: its box of elements, and the nodes they see. All
 /// local numbers run x fastest.
 struct ElementBox {
   int elements[3];            ///< elements per direction
   double corner[3];           ///< position of the lower corner of the first element [um]
   double spacing[3];          ///< element size [um]
   double inverse_spacing[3];  ///< [1/um]
-  bool flat = false;          ///< plane strain: the upper nodes along z are the lower ones
+  bool flat = false;          ///< plane strain: all nodes along z are one
+  int beyond = 1;             ///< nodes per direction beyond the number of elements
+  int first[3] = {0, 0, 0};   ///< number of the first element in the whole grid
+  int all[3] = {0, 0, 0};     ///< elements of the whole grid
 
   KOKKOS_INLINE_FUNCTION int element(int i, int j, int k) const {
     return i + elements[0] * (j + elements[1] * k);
   }
   KOKKOS_INLINE_FUNCTION int node(int i, int j, int k) const {
-    return i + (elements[0] + 1) * (j + (elements[1] + 1) * (flat ? 0 : k));
+    return i + (elements[0] + beyond) * (j + (elements[1] + beyond) * (flat ? 0 : k));
   }
 };
 

@@ -4,6 +4,7 @@
 /// Kinematics of the particles of one element: what every transfer kernel starts from.
 
 #include "particles/Particles.hpp"
+#include "shape/Place.hpp"
 #include "tensor/Tensor3.hpp"
 #include "transfer/ElementLoop.hpp"
 
@@ -34,8 +35,10 @@ struct PointSet {
   ElementBox box;
   particles::Particles<Device> particles;
   NodeView displacement;  ///< U of the touched nodes [um]
-  /// (element) volume of each of its eight fictitious points [um^3], 0 for most; or empty: none.
+  /// (element) volume of each of its fictitious points [um^3], 0 for most; or empty: none.
   Kokkos::View<const float*, Device> fictitious_volume = {};
+  double half_edge[3] = {0.0, 0.0, 0.0};  ///< of the particles' domains, as seeded [um]
+  bool stretches_domains = true;          ///< domains are F times as seeded
 };
 
 /// Particles and displaced nodes of a rank, element by element.
@@ -62,6 +65,12 @@ struct ElementParticles : PointSet<Device> {
   using PointSet<Device>::particles;
   using PointSet<Device>::displacement;
   using PointSet<Device>::fictitious_volume;
+  using PointSet<Device>::half_edge;
+  using PointSet<Device>::stretches_domains;
+
+  /// Fictitious points of an element that has some: a regular pattern, as many per direction as
+  /// there are functions.
+  static constexpr int fictitious_points = Shape::nodes;
 
   /// Values of a nodal vector at the nodes of an element, (component, a).
   KOKKOS_INLINE_FUNCTION void gather(const NodeView& nodal, int i, int j, int k,
@@ -75,8 +84,7 @@ struct ElementParticles : PointSet<Device> {
   /// Touched-node number of local node a of an element.
   KOKKOS_INLINE_FUNCTION int node_of(int i, int j, int k, int a) const {
     constexpr int w = Shape::width;
-    return box.node(i + Shape::first + a % w, j + Shape::first + a / w % w,
-                    k + Shape::first + a / (w * w));
+    return box.node(i + a % w, j + a / w % w, k + a / (w * w));
   }
 
   /// Calls visit(ParticlePoint) for each particle of element (i, j, k); counts in `bad` those that
@@ -90,15 +98,14 @@ struct ElementParticles : PointSet<Device> {
     if (begin == end) return;
     double u[3][Shape::nodes];
     gather(displacement, i, j, k, u);
-    const int index[3] = {i, j, k};
+    shape::Place place = place_in(i, j, k);
     ParticlePoint<Shape> point;
     for (int p = begin; p < end; ++p) {
       point.p = p;
       point.material = particles.material(p);
       point.volume = particles.volume(p);
-      double xi[3];
-      natural_coordinates(p, index, xi);
-      const Tensor3 G = move(xi, u, point);
+      put(p, i, j, k, place);
+      const Tensor3 G = move(place, u, point);
       point.H = G;
       if (particles.base_gradient.extent(0) != 0) {
         Tensor3 base;
@@ -125,11 +132,15 @@ struct ElementParticles : PointSet<Device> {
     point.p = none_of_them;
     point.material = particles.material(particles.element_begin(element));
     point.volume = static_cast<double>(fictitious_volume(element));
-    constexpr double gauss = 0.28867513459481288;  // 1 / (2 sqrt 3)
-    for (int q = 0; q < 8; ++q) {
-      const double xi[3] = {0.5 + (q & 1 ? gauss : -gauss), 0.5 + (q & 2 ? gauss : -gauss),
-                            0.5 + (q & 4 ? gauss : -gauss)};
-      point.H = move(xi, u, point);
+    shape::Place place = place_in(i, j, k);
+    constexpr int w = Shape::width;
+    for (int d = 0; d < 3; ++d)
+      for (int e = 0; e < 3; ++e) place.domain[d][e] = d == e ? 0.5 / w * box.spacing[d] : 0.0;
+    for (int q = 0; q < fictitious_points; ++q) {
+      place.xi[0] = (q % w + 0.5) / w;
+      place.xi[1] = (q / w % w + 0.5) / w;
+      place.xi[2] = (q / (w * w) + 0.5) / w;
+      point.H = move(place, u, point);
       if (!(1.0 + tensor::det_minus_one(point.H) > 0.0)) ++bad;
       visit(point);
     }
@@ -143,19 +154,44 @@ struct ElementParticles : PointSet<Device> {
     const int element = box.element(i, j, k);
     double u[3][Shape::nodes];
     gather(displacement, i, j, k, u);
-    const int index[3] = {i, j, k};
+    shape::Place place = place_in(i, j, k);
     for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
-      double xi[3], value[Shape::nodes], base_gradient[3][Shape::nodes];
-      natural_coordinates(p, index, xi);
-      Shape::evaluate(xi, box.inverse_spacing, value, base_gradient);
+      double value[Shape::nodes], base_gradient[3][Shape::nodes];
+      put(p, i, j, k, place);
+      Shape::evaluate(place, value, base_gradient);
       visit(p, displacement_gradient(u, base_gradient));
     }
   }
 
  private:
-  KOKKOS_INLINE_FUNCTION void natural_coordinates(int p, const int index[3], double xi[3]) const {
+  /// A place in an element, but for the point's own coordinates and domain.
+  KOKKOS_INLINE_FUNCTION shape::Place place_in(int i, int j, int k) const {
+    shape::Place place;
+    const int index[3] = {i, j, k};
+    for (int d = 0; d < 3; ++d) {
+      place.inverse_h[d] = box.inverse_spacing[d];
+      if constexpr (Shape::knows_ends) {
+        place.element[d] = box.first[d] + index[d];
+        place.elements[d] = box.all[d];
+      }
+    }
+    return place;
+  }
+
+  /// Puts a particle into its place.
+  KOKKOS_INLINE_FUNCTION void put(int p, int i, int j, int k, shape::Place& place) const {
+    const int index[3] = {i, j, k};
     for (int d = 0; d < 3; ++d)
-      xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
+      place.xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
+    if constexpr (Shape::has_domain) {
+      const bool stretched = stretches_domains && particles.base_gradient.extent(0) != 0;
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d) {
+          const double F =
+              (c == d ? 1.0 : 0.0) + (stretched ? particles.base_gradient(p, c, d) : 0.0);
+          place.domain[c][d] = F * half_edge[d];
+        }
+    }
   }
 
   KOKKOS_INLINE_FUNCTION static Tensor3 displacement_gradient(
@@ -171,10 +207,10 @@ struct ElementParticles : PointSet<Device> {
   }
 
   /// Values and current gradients of a point; returns f - I there.
-  KOKKOS_INLINE_FUNCTION Tensor3 move(const double xi[3], const double u[3][Shape::nodes],
+  KOKKOS_INLINE_FUNCTION Tensor3 move(const shape::Place& place, const double u[3][Shape::nodes],
                                       ParticlePoint<Shape>& point) const {
     double base_gradient[3][Shape::nodes];
-    Shape::evaluate(xi, box.inverse_spacing, point.value, base_gradient);
+    Shape::evaluate(place, point.value, base_gradient);
     const Tensor3 G = displacement_gradient(u, base_gradient);
     const Tensor3 f_inverse = tensor::inverse(tensor::identity() + G);
     for (int d = 0; d < 3; ++d)

@@ -9,7 +9,8 @@
 namespace stroma::transfer {
 
 /// Where the 3 x 3 blocks of the tangent go. Row nodes are touched nodes; the column of a block is
-/// the row's neighbour in the 3 x 3 x 3 stencil, s = (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+/// the row's neighbour in the stencil of all nodes within a reach r = width - 1, side 2 r + 1,
+/// s = (dx + r) + side (dy + r) + side^2 (dz + r).
 ///
 /// Rows of owned nodes are summed straight into the values of a compressed row matrix with three
 /// rows per node, whose blocks are found by arithmetic; rows of nodes that other ranks own go to
@@ -20,9 +21,10 @@ struct BlockRows {
   using Real = double;
 
   Kokkos::View<const int*, Device> row;  ///< (touched node) owned node, or ~shared if negative
-  Kokkos::View<const std::size_t*, Device> row_begin;   ///< (3 owned node + i) first entry
-  Kokkos::View<const std::uint8_t* [27], Device> slot;  ///< (owned node, s) block within its row
-  Kokkos::View<double*, Device> values;                 ///< entries of the matrix, added to
+  Kokkos::View<const std::size_t*, Device> row_begin;  ///< (3 owned node + i) first entry
+  Kokkos::View<const std::uint16_t**, Kokkos::LayoutRight, Device>
+      slot;                              ///< (owned node, s) block within its row
+  Kokkos::View<double*, Device> values;  ///< entries of the matrix, added to
   Kokkos::View<double**, Kokkos::LayoutLeft, Device> shared;  ///< (shared, 9 s + 3 i + k), added to
   Kokkos::View<const std::uint8_t*, Device>
       held;  ///< (touched node) bit c: component c is prescribed
@@ -94,7 +96,8 @@ struct Tangent {
       int s[n];  // place of node b in the stencil of node a
       for (int b = 0; b < n; ++b) {
         const int dz = elements.box.flat ? 0 : b / (w * w) - a / (w * w);
-        s[b] = (b % w - a % w + 1) + 3 * (b / w % w - a / w % w + 1) + 9 * (dz + 1);
+        s[b] = (b % w - a % w + reach) + side * (b / w % w - a / w % w + reach) +
+               side * side * (dz + reach);
       }
       rows.add(node[a], K[a], s);
     }
@@ -104,6 +107,7 @@ struct Tangent {
   using Real = typename Rows::Real;
   static constexpr int n = Shape::nodes;
   static constexpr int w = Shape::width;
+  static constexpr int reach = w - 1, side = 2 * reach + 1;
   static constexpr int lanes = 8;
   static constexpr int padded = (n + lanes - 1) / lanes * lanes;
 

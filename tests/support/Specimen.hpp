@@ -8,7 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "grid/ShapeGrid.hpp"
 #include "mechanics/MovingBody.hpp"
+#include "particles/Migration.hpp"
 #include "particles/Seeding.hpp"
 
 namespace stroma::test {
@@ -59,18 +61,26 @@ struct Specimen {
     return volume;
   }
 
-  grid::Partition partition(const base::Communicator& communicator) const {
+  /// Of the lattice of elements that fills the body.
+  grid::Partition lattice(const base::Communicator& communicator) const {
     return grid::Partition::balanced(
         grid(), communicator.size(),
         particles::layer_weights(communicator, grid(), labels(communicator)));
+  }
+
+  /// Of the grid that the shape functions need.
+  grid::Partition partition(const base::Communicator& communicator) const {
+    return grid::partition_for(shape_functions, lattice(communicator));
   }
 
   particles::Particles<grid::Device> particles(const base::Communicator& communicator) const {
     std::map<std::int32_t, int> material_of_label;
     for (std::size_t m = 0; m < laws.size(); ++m)
       material_of_label[static_cast<std::int32_t>(m)] = static_cast<int>(m);
-    return particles::seed(communicator, layout, partition(communicator), labels(communicator),
-                           material_of_label);
+    const auto seeded = particles::seed(communicator, layout, lattice(communicator),
+                                        labels(communicator), material_of_label);
+    const grid::Partition cells = partition(communicator);
+    return cells.grid().centered ? particles::migrate(communicator, cells, seeded) : seeded;
   }
 
   mechanics::Problem problem() const {
@@ -82,8 +92,9 @@ struct Specimen {
     problem.density = density;
     for (int d = 0; d < 3; ++d) {
       const auto i = static_cast<std::size_t>(d);
-      problem.particle_spacing[i] = particles::particle_spacing(
-          layout, problem.body, d, spacing[i] / static_cast<double>(voxels_per_element[i]));
+      const double voxel = spacing[i] / static_cast<double>(voxels_per_element[i]);
+      problem.particle_spacing[i] = particles::particle_spacing(layout, problem.body, d, voxel);
+      problem.particle_half_edge[i] = particles::domain_half_edge(layout, problem.body, d, voxel);
     }
     problem.reset = reset;
     problem.shape_functions = shape_functions;
@@ -101,7 +112,7 @@ struct Specimen {
   std::unique_ptr<mechanics::MomentumBalance> balance(
       const base::Communicator& communicator) const {
     return std::make_unique<mechanics::MomentumBalance>(communicator, partition(communicator),
-                                                        particles(communicator), laws, conditions);
+                                                        particles(communicator), problem());
   }
 };
 

@@ -24,7 +24,8 @@ struct Values {
 
 Values at(double x, double y, double z) {
   Values v{{x, y, z}, {}, {}};
-  Linear::evaluate(v.xi, inverse_h, v.N, v.gradient);
+  const Place place{{x, y, z}, {}, {}, {inverse_h[0], inverse_h[1], inverse_h[2]}, {{}, {}, {}}};
+  Linear::evaluate(place, v.N, v.gradient);
   return v;
 }
 

@@ -1,0 +1,45 @@
+#include "grid/ShapeGrid.hpp"
+
+namespace stroma::grid {
+namespace {
+
+bool is_centered(ShapeFunctions shape_functions) {
+  return shape_functions == ShapeFunctions::gimp || shape_functions == ShapeFunctions::cpdi;
+}
+
+int width(ShapeFunctions shape_functions) {
+  switch (shape_functions) {
+    case ShapeFunctions::linear:
+      return 2;
+    case ShapeFunctions::cubic_b_spline:
+      return 4;
+    default:
+      return 3;
+  }
+}
+
+}  // namespace
+
+Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice) {
+  Grid grid = lattice;
+  grid.width = width(shape_functions);
+  grid.centered = is_centered(shape_functions);
+  if (!grid.centered) return grid;
+  for (int d = 0; d < (grid.flat ? 2 : 3); ++d) {
+    grid.origin[d] -= 0.5 * grid.spacing[d];
+    ++grid.elements[d];
+  }
+  return grid;
+}
+
+Partition partition_for(ShapeFunctions shape_functions, const Partition& lattice) {
+  const Grid grid = grid_for(shape_functions, lattice.grid());
+  std::array<std::vector<std::int64_t>, 3> cuts;
+  for (int d = 0; d < 3; ++d) {
+    cuts[d] = lattice.cuts(d);
+    cuts[d].back() = grid.elements[d];
+  }
+  return Partition(grid, cuts);
+}
+
+}  // namespace stroma::grid

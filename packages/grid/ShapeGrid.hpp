@@ -1,0 +1,19 @@
+#pragma once
+
+/// \file
+/// The grid that a kind of shape functions needs over a lattice of nodes.
+
+#include "grid/GridSection.hpp"
+#include "grid/Partition.hpp"
+
+namespace stroma::grid {
+
+/// The grid for a kind of shape functions over the elements of a lattice. For GIMP and CPDI the
+/// elements are those centred at the lattice's nodes: a particle whose domain is no larger than an
+/// element then touches the node in the middle and its neighbours alone.
+Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice);
+
+/// The same, dealt to the ranks with the cuts of a partition of the lattice.
+Partition partition_for(ShapeFunctions shape_functions, const Partition& lattice);
+
+}  // namespace stroma::grid

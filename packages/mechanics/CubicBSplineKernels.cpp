@@ -1,0 +1,11 @@
+#include "mechanics/KernelsOf.hpp"
+#include "shape/BSpline.hpp"
+
+namespace stroma::mechanics {
+
+std::shared_ptr<const ShapeKernels> cubic_b_spline_kernels(bool flat) {
+  if (flat) return std::make_shared<KernelsOf<shape::BSpline<3, 2>>>();
+  return std::make_shared<KernelsOf<shape::BSpline<3, 3>>>();
+}
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,11 @@
+#include "mechanics/KernelsOf.hpp"
+#include "shape/Gimp.hpp"
+
+namespace stroma::mechanics {
+
+std::shared_ptr<const ShapeKernels> gimp_kernels(bool flat) {
+  if (flat) return std::make_shared<KernelsOf<shape::Gimp<2>>>();
+  return std::make_shared<KernelsOf<shape::Gimp<3>>>();
+}
+
+}  // namespace stroma::mechanics
