@@ -7,6 +7,7 @@
 #include "MeanWidth.hpp"
 #include "Specimen.hpp"
 #include "base/Error.hpp"
+#include "grid/ShapeGrid.hpp"
 #include "image/Objects.hpp"
 #include "image/Segmentation.hpp"
 #include "solver/IterationTraffic.hpp"
@@ -119,7 +120,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
                                            problem_of(deck, specimen));
   std::int64_t filled = 0;
-  const auto flags = balance.filled_elements();
+  const auto flags = balance.filled_elements(grid::lattice_under(specimen.partition));
   for (std::size_t e = 0; e < flags.extent(0); ++e) filled += flags(e);
   filled = communicator.sum(filled);
   log.line(format(

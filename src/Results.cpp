@@ -9,6 +9,7 @@
 #include "MovingSupports.hpp"
 #include "base/Session.hpp"
 #include "base/Stage.hpp"
+#include "mechanics/Lattice.hpp"
 #include "output/DeckFile.hpp"
 #include "solver/IterationTraffic.hpp"
 #include "tensor/Tensor3.hpp"
@@ -128,11 +129,11 @@ void Results::write_particles(const mechanics::MomentumBalance& balance, const g
   particles_step_ = rows_.back().step;
 }
 
-void Results::open_grid_file(const mechanics::MomentumBalance& balance) {
-  const grid::Partition& partition = balance.halo().partition();
+void Results::open_grid_file(const mechanics::MomentumBalance& balance,
+                             const grid::Partition& partition) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator_.rank());
-  const auto filled = balance.filled_elements();
+  const auto filled = balance.filled_elements(partition);
   output::GridPart part;
   part.elements = grid.elements;
   part.first_element = elements.begin;
@@ -146,13 +147,24 @@ void Results::open_grid_file(const mechanics::MomentumBalance& balance) {
 
 void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u) {
   const base::Stage stage("output");
+  grid::Vector force(balance.owned_map());
+  balance.unbalanced_force(u, force);
+  // The file's nodes are those of the lattice, whatever the shape functions.
+  const auto lattice = balance.halo().partition().grid().width == 2
+                           ? std::nullopt
+                           : std::make_optional<mechanics::Lattice>(balance.halo());
+  const grid::Halo& halo = lattice ? lattice->halo() : balance.halo();
+  grid::Vector displacement_at_nodes(halo.owned_map()), force_at_nodes(halo.owned_map());
+  if (lattice) {
+    lattice->values_at_nodes(u, displacement_at_nodes);
+    lattice->forces_at_nodes(force, force_at_nodes);
+  }
   // A grid that is reset has other elements in each step, and so a file of its own.
-  if (!grid_file_ || deck_->parameters.grid.reset) open_grid_file(balance);
-  const grid::Grid& grid = balance.halo().partition().grid();
+  if (!grid_file_ || deck_->parameters.grid.reset) open_grid_file(balance, halo.partition());
   const auto gathered = [&](const grid::Vector& vector, double share) {
-    const grid::ConstNodeView view = balance.halo().gather(vector);
+    const grid::ConstNodeView view = halo.gather(vector);
     std::vector<double> values(view.data(), view.data() + view.size());
-    if (grid.flat) {  // the file's element has its two layers of nodes
+    if (halo.partition().grid().flat) {  // the file's element has its two layers of nodes
       for (double& value : values) value *= share;
       values.resize(2 * view.size());
       std::copy_n(values.begin(), view.size(),
@@ -160,10 +172,8 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
     }
     return values;
   };
-  grid::Vector force(balance.owned_map());
-  balance.unbalanced_force(u, force);
-  const std::vector<double> displacement = gathered(u, 1.0);
-  const std::vector<double> residual = gathered(force, 0.5);
+  const std::vector<double> displacement = gathered(lattice ? displacement_at_nodes : u, 1.0);
+  const std::vector<double> residual = gathered(lattice ? force_at_nodes : force, 0.5);
   grid_file_->write(rows_.back().load, displacement.data(), residual.data());
   grid_step_ = rows_.back().step;
 }

@@ -45,7 +45,7 @@ class Results {
   output::StatePieces states(const mechanics::MomentumBalance& balance,
                              const grid::Vector& u) const;
   void write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u);
-  void open_grid_file(const mechanics::MomentumBalance& balance);
+  void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void print_bounds() const;
   void print_table(const std::vector<output::MovingSupport>& moving,

@@ -42,4 +42,19 @@ Partition partition_for(ShapeFunctions shape_functions, const Partition& lattice
   return Partition(grid, cuts);
 }
 
+Partition lattice_under(const Partition& partition) {
+  Grid lattice = partition.grid();
+  lattice.width = 2;
+  lattice.centered = false;
+  std::array<std::vector<std::int64_t>, 3> cuts;
+  for (int d = 0; d < 3; ++d) {
+    cuts[d] = partition.cuts(d);
+    if (!partition.grid().centered || partition.grid().beyond(d) == 0) continue;
+    lattice.origin[d] -= 0.5 * lattice.spacing[d];
+    ++lattice.elements[d];
+    cuts[d].back() = lattice.elements[d];
+  }
+  return Partition(lattice, cuts);
+}
+
 }  // namespace stroma::grid

@@ -16,4 +16,9 @@ Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice);
 /// The same, dealt to the ranks with the cuts of a partition of the lattice.
 Partition partition_for(ShapeFunctions shape_functions, const Partition& lattice);
 
+/// The lattice whose hats span what a grid of wider functions covers, dealt with the same cuts. It
+/// has a node at the place of each function that is centred at one; under B-splines it has the
+/// elements of their grid.
+Partition lattice_under(const Partition& partition);
+
 }  // namespace stroma::grid

@@ -9,6 +9,7 @@
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "particles/Migration.hpp"
 #include "particles/Seeding.hpp"
 
 namespace stroma::mechanics {
@@ -73,6 +74,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const particles::Particles<Device>& particles,
                                  const Problem& problem, double base_load)
     : communicator_(communicator),
+      problem_(problem),
       kernels_(kernels_for(problem.shape_functions, partition.grid().flat)),
       halo_(communicator, partition),
       particles_(particles),
@@ -83,6 +85,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                         : problem.density)),
       half_edge_(problem.particle_half_edge),
       stretches_domains_(problem.particle_domain == grid::ParticleDomain::stretched),
+      base_load_(base_load),
       load_(base_load) {
   double stiffest = 0.0;
   for (const Law& law : problem.laws)
@@ -162,10 +165,14 @@ void MomentumBalance::find_external_force(const Problem& problem) {
   external_force_ = force;
 }
 
-Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements() const {
-  const std::size_t count = particles_.element_begin.extent(0) - 1;
+Kokkos::View<std::uint8_t*, grid::Device> MomentumBalance::filled_elements(
+    const grid::Partition& partition) const {
+  const bool is_own = partition.grid().centered == halo_.partition().grid().centered;
+  const auto begin = is_own
+                         ? particles_.element_begin
+                         : particles::migrate(communicator_, partition, particles_).element_begin;
+  const std::size_t count = begin.extent(0) - 1;
   Kokkos::View<std::uint8_t*, Device> filled("filled", count);
-  const auto begin = particles_.element_begin;
   Kokkos::parallel_for(
       "filled elements", Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(count)),
       KOKKOS_LAMBDA(const int e) { filled(e) = begin(e + 1) > begin(e) ? 1 : 0; });
@@ -226,6 +233,7 @@ grid::RCP<Matrix> MomentumBalance::tangent_matrix() {
 
 std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
   tangent();
+  linearized_at_ = Teuchos::rcp(new grid::Vector(u, Teuchos::Copy));
   const base::Stage stage("tangent");
   std::int64_t bad = 0;
   if (form_ == TangentForm::stencil) {
@@ -236,6 +244,16 @@ std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
     rows_->finish();
   }
   return communicator_.sum(bad);
+}
+
+std::unique_ptr<MomentumBalance> MomentumBalance::with_hats(const grid::Partition& lattice) const {
+  Problem problem = problem_;
+  problem.shape_functions = grid::ShapeFunctions::linear;
+  const bool has_other_elements = halo_.partition().grid().centered;
+  return std::make_unique<MomentumBalance>(
+      communicator_, lattice,
+      has_other_elements ? particles::migrate(communicator_, lattice, particles_) : particles_,
+      problem, base_load_);
 }
 
 void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v,

@@ -67,8 +67,9 @@ class MomentumBalance {
   const grid::Halo& halo() const { return halo_; }
   const Supports& supports() const { return *supports_; }
   const particles::Particles<Device>& particles() const { return particles_; }
-  /// (local element) whether the element holds a particle.
-  Kokkos::View<std::uint8_t*, Device> filled_elements() const;
+  /// (local element of a partition) whether the element holds a particle. The partition is that of
+  /// the grid, or of the lattice under it. Collective.
+  Kokkos::View<std::uint8_t*, Device> filled_elements(const grid::Partition& partition) const;
 
   /// Load factor by which external forces are multiplied (0 at the start).
   void set_load(double load) { load_ = load; }
@@ -91,6 +92,13 @@ class MomentumBalance {
   grid::RCP<Matrix> tangent_matrix();
   /// product = K(u) v without forming K and without regard to what is prescribed.
   void tangent_times(const grid::Vector& u, const grid::Vector& v, grid::Vector& product) const;
+
+  /// Where the tangent was last assembled [um]; null: nowhere yet.
+  const grid::RCP<const grid::Vector>& linearization_point() const { return linearized_at_; }
+
+  /// The same body, conditions and base with hats on the lattice under the shape functions: what
+  /// multigrid coarsens from. Collective.
+  std::unique_ptr<MomentumBalance> with_hats(const grid::Partition& lattice) const;
 
   /// External force at full load [pN], at all owned unknowns; null if there is none.
   const grid::RCP<const grid::Vector>& external_force() const { return external_force_; }
@@ -134,6 +142,7 @@ class MomentumBalance {
   void find_external_force(const Problem& problem);
 
   base::Communicator communicator_;
+  Problem problem_;
   std::shared_ptr<const ShapeKernels> kernels_;
   grid::Halo halo_;
   particles::Particles<Device> particles_;
@@ -144,12 +153,13 @@ class MomentumBalance {
   std::array<double, 3> half_edge_;  // of the particles' domains, as seeded [um]
   bool stretches_domains_;
   double typical_diagonal_;  // [pN/um]
-  double load_ = 0.0;
+  double base_load_, load_;
   grid::RCP<const grid::Vector> external_force_;
   std::unique_ptr<Supports> supports_;
   TangentForm form_ = TangentForm::compressed_rows;
   std::unique_ptr<TangentMatrix> rows_;
   grid::RCP<StencilMatrix> stencil_;
+  grid::RCP<const grid::Vector> linearized_at_;
 };
 
 }  // namespace stroma::mechanics

@@ -14,7 +14,7 @@ std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& para
                                                     const mechanics::MomentumBalance& balance) {
   switch (parameters.preconditioner) {
     case PreconditionerKind::geometric_multigrid:
-      if (balance.halo().partition().grid().width > 2) return make_muelu(parameters, balance);
+      if (balance.halo().partition().grid().width > 2) return make_hats_multigrid(balance);
       return make_geometric_multigrid(balance);
     case PreconditionerKind::multigrid:
       return make_muelu(parameters, balance);

@@ -39,6 +39,8 @@ std::unique_ptr<Preconditioner> make_ifpack2(const SolverParameters& parameters)
 std::unique_ptr<Preconditioner> make_muelu(const SolverParameters& parameters,
                                            const mechanics::MomentumBalance& balance);
 std::unique_ptr<Preconditioner> make_direct();
+/// For shape functions that are wider than hats: the geometric multigrid of the hats under them.
+std::unique_ptr<Preconditioner> make_hats_multigrid(const mechanics::MomentumBalance& balance);
 /// These two take the tangent as a stencil.
 std::unique_ptr<Preconditioner> make_geometric_multigrid(const mechanics::MomentumBalance& balance);
 std::unique_ptr<Preconditioner> make_block_jacobi();
