@@ -15,8 +15,9 @@ namespace stroma::shape {
 ///     - l)) / (2 l).
 ///
 /// Elements are centred at nodes (grid::Grid::centered), and see the node in the middle and its two
-/// neighbours. l is the length of the domain's half edge of that axis, stretched with the particle
-/// or as seeded, and at most half an element.
+/// neighbours. l is that of the box with the same second moment along the axis as the particle's
+/// domain, a parallelepiped of half edges r_k: l_d^2 = sum_k r_kd^2; at most half an element. A
+/// turn leaves it as it is, and shear along one axis does not widen it along another.
 ///
 /// Source: Bardenhagen, Kober, CMES 5 (2004) 477; docs/theory.md, eq. (T.34).
 struct GimpAxis {
@@ -26,9 +27,8 @@ struct GimpAxis {
 
   KOKKOS_INLINE_FUNCTION static void evaluate(const Place& place, int d, double value[width],
                                               double slope[width]) {
-    const double edge =
-        sqrt(place.domain[0][d] * place.domain[0][d] + place.domain[1][d] * place.domain[1][d] +
-             place.domain[2][d] * place.domain[2][d]);
+    const auto& along = place.domain[d];
+    const double edge = sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
     const double wanted = edge * place.inverse_h[d];
     const double l = wanted > largest_half_domain ? largest_half_domain : wanted;
     for (int f = 0; f < width; ++f) {
