@@ -83,7 +83,7 @@ void Results::write(output::HistoryRow row, const mechanics::MomentumBalance& ba
                     const grid::Vector& u) {
   grid::Vector force(balance.owned_map());
   balance.unbalanced_force(u, force);
-  row.reactions = balance.supports().reactions(force);
+  row.reactions = balance.reactions(u, force);
   rows_.push_back(with_figures(std::move(row), balance, u));
   history_.append(rows_.back());
 
@@ -195,7 +195,18 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
       if (!note.empty()) log_->note(note);
   }
   stage.reset();
+  print_give(balance, u);
   print_table(moving, balance.halo().partition(), seconds());
+}
+
+void Results::print_give(const mechanics::MomentumBalance& balance, const grid::Vector& u) const {
+  const double springs = balance.spring_energy(u);
+  if (springs <= 0.0) return;
+  log_->line(
+      base::format("\npenalty    the springs of the supports hold %.2g of the energy: about by so "
+                   "much they lower "
+                   "the forces",
+                   springs / (springs + rows_.back().strain_energy)));
 }
 
 void Results::print_bounds() const {

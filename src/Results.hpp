@@ -47,6 +47,8 @@ class Results {
   void write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
   void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  /// How much the springs of conditions imposed by penalty give way.
+  void print_give(const mechanics::MomentumBalance& balance, const grid::Vector& u) const;
   void print_bounds() const;
   void print_table(const std::vector<output::MovingSupport>& moving,
                    const grid::Partition& partition, double seconds) const;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/Log.hpp"
 #include "tensor/Tensor3.hpp"
 
 namespace stroma::mechanics {
@@ -85,6 +86,23 @@ int BoundaryCondition::loaded_component(const std::array<double, 3>& length) con
   return loaded;
 }
 
+std::string conflict(const std::string& first, const std::string& second, int component,
+                     const std::array<double, 3>& x, double a, double b) {
+  return base::format(
+      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at "
+      "their common point (%g, %g, %g) um; admissible: equal values, or %c left out of the "
+      "Components of one of them",
+      first.c_str(), "xyz"[component], a,
+      second.empty() ? "plane strain" : ("\"" + second + "\"").c_str(), b, x[0], x[1], x[2],
+      "xyz"[component]);
+}
+
+std::string no_particle_near(const std::string& condition) {
+  return "Boundary Conditions|" + condition +
+         "|Face: there is no particle in the elements along this face; admissible: a face at which "
+         "the image has a label other than -1 (empty)";
+}
+
 deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   deck::Section<BoundaryCondition> condition(
       "NAME", "One condition; NAME is the user's and appears in the results.");
@@ -110,12 +128,20 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   condition.optional("Displacement Gradient", &BoundaryCondition::displacement_gradient,
                      deck::any(),
                      "Nine numbers G, row by row: u = G (X - lowest corner of the body's box).");
-  condition.choice("Imposed By", &BoundaryCondition::imposed_by,
-                   {{"Nodes", ImposedBy::nodes}, {"Grip", ImposedBy::grip}},
-                   "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay in "
-                   "its plane (its normal displacement is prescribed as zero). Grip: the particles "
-                   "within one element of the face at load 0 are moved, with all nodes that they "
-                   "touch. Without it: Nodes, or Grip with Grid|Reset.");
+  condition.choice(
+      "Imposed By", &BoundaryCondition::imposed_by,
+      {{"Nodes", ImposedBy::nodes}, {"Grip", ImposedBy::grip}, {"Penalty", ImposedBy::penalty}},
+      "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay in "
+      "its plane (its normal displacement is prescribed as zero). Grip: the particles "
+      "within one element of the face at load 0 are moved, with all nodes that they "
+      "touch. Penalty: springs move points of the face that ride beside the outermost "
+      "particles; for every shape function, with Grid|Reset and without. Without it: "
+      "Nodes, or Grip with Grid|Reset.");
+  condition.optional(
+      "Penalty Factor", &BoundaryCondition::penalty_factor, deck::positive(),
+      "Stiffness of the springs of Imposed By = Penalty: per area, Penalty Factor * (K + 4/3 mu) / "
+      "length of the body along the face's normal. They lower the force by about 1 / Penalty "
+      "Factor. Without it: 1e5.");
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
       const char c = p.components[n];
@@ -152,6 +178,8 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
         findings.add("Displacement Gradient",
                      "turns the body inside out; admissible: det(I + G) > 0");
     }
+    if (p.penalty_factor && p.imposed_by != ImposedBy::penalty)
+      findings.add("Penalty Factor", "is used with Imposed By = Penalty only");
     if (p.strain && !(*p.strain > -1.0))
       findings.add("Strain", "a body cannot be compressed by 100 % or more; admissible: > -1");
   });

@@ -20,9 +20,10 @@ int axis_of(Face face);
 /// Whether the face is the upper one of its axis.
 bool is_upper(Face face);
 
-/// How a condition reaches the grid: at the nodes of the face; or by a grip, the particles that lie
-/// within one element of the face at load 0, which move as prescribed with all nodes they touch.
-enum class ImposedBy { nodes, grip };
+/// How a condition reaches the grid: at the nodes of the face; by a grip, the particles that lie
+/// within one element of the face at load 0, which move as prescribed with all nodes they touch; or
+/// by a penalty, stiff springs on points of the face that ride beside the outermost particles.
+enum class ImposedBy { nodes, grip, penalty };
 
 /// One condition on the displacement of a face. At most one of the three values is given; without
 /// any, the components are held at zero.
@@ -33,6 +34,8 @@ struct BoundaryCondition {
   std::optional<double> strain;                                ///< along the outward normal [-]
   std::optional<std::array<double, 9>> displacement_gradient;  ///< G, row by row [-]
   std::optional<ImposedBy> imposed_by;  ///< else: nodes without grid reset, grip with it
+  /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
+  std::optional<double> penalty_factor;  ///< else 1e5
 
   bool prescribes(int component) const {
     return components.find("xyz"[component]) != std::string::npos;
@@ -66,6 +69,13 @@ struct BoundaryCondition {
 };
 
 using NamedConditions = std::vector<std::pair<std::string, BoundaryCondition>>;
+
+/// What to tell the user when two conditions (or one, and plane strain: second = "") prescribe
+/// different displacements a and b [um] of one component at a point x [um].
+std::string conflict(const std::string& first, const std::string& second, int component,
+                     const std::array<double, 3>& x, double a, double b);
+/// What to tell the user when a condition's face has no particle near it.
+std::string no_particle_near(const std::string& condition);
 
 struct BoundaryConditionsParameters {
   NamedConditions conditions;

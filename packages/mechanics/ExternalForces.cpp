@@ -53,10 +53,9 @@ std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, cons
     if (force.traction) {
       const int axis = axis_of(*force.face);
       const auto d = static_cast<std::size_t>(axis);
-      const double face = body.origin[d] + (is_upper(*force.face) ? body.length(axis) : 0.0);
       one.axis = axis;
-      one.lower = face - spacing[d];
-      one.upper = face + spacing[d];
+      one.face = body.origin[d] + (is_upper(*force.face) ? body.length(axis) : 0.0);
+      one.thickness = spacing[d];
       scale = 1.0 / spacing[d];
     }
     const auto& vector = force.body_force     ? *force.body_force

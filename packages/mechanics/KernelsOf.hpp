@@ -56,6 +56,37 @@ class KernelsOf : public ShapeKernels {
     launch("external force", points,
            transfer::ExternalForce<Shape, Device>{{points}, forces, density, force});
   }
+  void spring_force(const Points& points, const BoundaryPoints& boundary, double load,
+                    const NodeView& force) const override {
+    launch("spring force", points,
+           transfer::SpringForce<Shape, Device>{{points}, boundary, load, force});
+  }
+  void boundary_gaps(const Points& points, const BoundaryPoints& boundary, double load,
+                     const NodeView& gap) const override {
+    launch("boundary gaps", points,
+           transfer::BoundaryGaps<Shape, Device>{{points}, boundary, load, gap});
+  }
+  void spring_tangent(const Points& points, const BoundaryPoints& boundary,
+                      const transfer::BlockRows<Device>& rows) const override {
+    launch("spring tangent", points,
+           transfer::SpringTangent<Shape, Device, transfer::BlockRows<Device>>{
+               {points}, boundary, rows});
+  }
+  void spring_tangent(const Points& points, const BoundaryPoints& boundary,
+                      const transfer::StencilRows<Device>& rows) const override {
+    if constexpr (Shape::width == 2)
+      launch("spring tangent", points,
+             transfer::SpringTangent<Shape, Device, transfer::StencilRows<Device>>{
+                 {points}, boundary, rows});
+    else
+      throw std::logic_error("a stencil of 27 blocks cannot hold the tangent of wider functions");
+  }
+  void spring_tangent_times(const Points& points, const BoundaryPoints& boundary,
+                            const ConstNodeView& direction,
+                            const NodeView& product) const override {
+    launch("spring tangent times", points,
+           transfer::SpringTangentTimes<Shape, Device>{{points}, boundary, direction, product});
+  }
   void project_displacement(const Points& points, const NodeView& displacement,
                             const Kokkos::View<const double*, Device>& density,
                             const NodeView& mass, const NodeView& momentum) const override {

@@ -9,6 +9,7 @@
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "mechanics/BoundaryPoints.hpp"
 #include "particles/Migration.hpp"
 #include "particles/Seeding.hpp"
 
@@ -99,8 +100,9 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     if (problem.imposed_by(condition) == ImposedBy::grip)
       grips[m] = elements_around(grip(particles_, problem.body, *condition.face), false);
   }
-  supports_ =
-      std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true), grips);
+  boundary_ = boundary_points(communicator, problem, particles_);
+  supports_ = std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true),
+                                         grips, held_components(boundary_, particles_));
   if (!problem.forces.empty()) find_external_force(problem);
 }
 
@@ -196,9 +198,13 @@ std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector
 }
 
 std::int64_t MomentumBalance::unbalanced_force(const grid::Vector& u, grid::Vector& force) const {
-  const std::int64_t bad = internal_force(u, force);
+  const base::Stage stage("internal force");
+  const Points at_u = points(u);
+  const std::int64_t bad = kernels_->internal_force(at_u, law_, halo_.contributions());
+  if (!boundary_.empty()) kernels_->spring_force(at_u, boundary_, load_, halo_.contributions());
+  halo_.sum_to_owner(force);
   if (external_force_ != Teuchos::null) force.update(-load_, *external_force_, 1.0);
-  return bad;
+  return communicator_.sum(bad);
 }
 
 std::int64_t MomentumBalance::residual(const grid::Vector& u, grid::Vector& r) const {
@@ -236,13 +242,17 @@ std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
   linearized_at_ = Teuchos::rcp(new grid::Vector(u, Teuchos::Copy));
   const base::Stage stage("tangent");
   std::int64_t bad = 0;
-  if (form_ == TangentForm::stencil) {
-    bad = kernels_->tangent(points(u), law_, stencil_->begin());
-    stencil_->finish();
-  } else {
-    bad = kernels_->tangent(points(u), law_, rows_->begin());
-    rows_->finish();
-  }
+  const auto assemble = [&](auto& matrix) {
+    const Points at_u = points(u);
+    const auto rows = matrix.begin();
+    bad = kernels_->tangent(at_u, law_, rows);
+    if (!boundary_.empty()) kernels_->spring_tangent(at_u, boundary_, rows);
+    matrix.finish();
+  };
+  if (form_ == TangentForm::stencil)
+    assemble(*stencil_);
+  else
+    assemble(*rows_);
   return communicator_.sum(bad);
 }
 
@@ -263,14 +273,58 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
   const grid::NodeView displacement("u", at_u.displacement.extent(0));
   Kokkos::deep_copy(displacement, at_u.displacement);
   at_u.displacement = displacement;
-  kernels_->tangent_times(at_u, law_, halo_.gather(v), halo_.contributions());
+  const grid::ConstNodeView direction = halo_.gather(v);
+  kernels_->tangent_times(at_u, law_, direction, halo_.contributions());
+  if (!boundary_.empty())
+    kernels_->spring_tangent_times(at_u, boundary_, direction, halo_.contributions());
   halo_.sum_to_owner(product);
 }
 
-double MomentumBalance::force_scale(const grid::Vector& unbalanced_force) const {
-  const double reactions = supports_->reaction_norm(unbalanced_force);
-  if (external_force_ == Teuchos::null) return reactions;
-  return std::max(reactions, std::abs(load_) * external_force_->norm2());
+template <class Use>
+void MomentumBalance::for_each_gap(const grid::Vector& u, const Use& use) const {
+  if (boundary_.empty()) return;
+  const grid::NodeView gaps("gaps", boundary_.point.extent(0));
+  kernels_->boundary_gaps(points(u), boundary_, load_, gaps);
+  const auto gap = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gaps);
+  const auto point = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), boundary_.point);
+  for (std::size_t n = 0; n < point.extent(0); ++n)
+    use(point(n), std::array<double, 3>{gap(n, 0), gap(n, 1), gap(n, 2)});
+}
+
+std::vector<std::array<double, 3>> MomentumBalance::reactions(
+    const grid::Vector& u, const grid::Vector& unbalanced_force) const {
+  auto of_springs = std::vector<std::array<double, 3>>(problem_.conditions.size());
+  for_each_gap(u, [&](const transfer::BoundaryPoint& b, const std::array<double, 3>& gap) {
+    for (std::size_t c = 0; c < 3; ++c)
+      of_springs[static_cast<std::size_t>(b.condition)][c] -= b.spring * gap[c];
+  });
+  if (!of_springs.empty()) communicator_.sum_all(of_springs.front().data(), 3 * of_springs.size());
+  auto reactions = supports_->reactions(unbalanced_force);
+  for (std::size_t m = 0; m < reactions.size(); ++m)
+    for (std::size_t c = 0; c < 3; ++c) reactions[m][c] += of_springs[m][c];
+  return reactions;
+}
+
+double MomentumBalance::spring_energy(const grid::Vector& u) const {
+  double energy = 0.0;
+  for_each_gap(u, [&](const transfer::BoundaryPoint& b, const std::array<double, 3>& gap) {
+    for (const double g : gap) energy += 0.5 * b.spring * g * g;
+  });
+  return communicator_.sum(energy);
+}
+
+double MomentumBalance::force_scale(const grid::Vector& u,
+                                    const grid::Vector& unbalanced_force) const {
+  double scale = supports_->reaction_norm(unbalanced_force);
+  if (!boundary_.empty()) {
+    kernels_->spring_force(points(u), boundary_, load_, halo_.contributions());
+    grid::Vector springs(halo_.owned_map());
+    halo_.sum_to_owner(springs);
+    scale = std::max(scale, springs.norm2());
+  }
+  if (external_force_ != Teuchos::null)
+    scale = std::max(scale, std::abs(load_) * external_force_->norm2());
+  return scale;
 }
 
 double MomentumBalance::rounding(const grid::Vector& u) const {

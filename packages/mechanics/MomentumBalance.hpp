@@ -38,9 +38,10 @@ enum class TangentForm { compressed_rows, stencil };
 /// configuration. The unknown u is the displacement of the grid's nodes since then [um], in a
 /// Tpetra vector over owned_map():
 ///
-///     r_Ii(u) = sum_p V0 tau_ij dN_I/dx_j - load f_Ii     [pN],      K = dr/du  [pN/um],
+///     r_Ii(u) = sum_p V0 tau_ij dN_I/dx_j + s_Ii(u) - load f_Ii     [pN],      K = dr/du  [pN/um],
 ///
-/// with f the external force at full load. Prescribed components of u (see Supports) are set by
+/// with f the external force at full load and s the springs of conditions imposed by penalty.
+/// Prescribed components of u (see Supports) are set by
 /// supports().impose(load, u); their rows of the residual are zero and their rows and columns of
 /// the tangent hold only a diagonal, so that K is symmetric and every Newton increment keeps them.
 ///
@@ -76,8 +77,8 @@ class MomentumBalance {
 
   /// Internal force [pN] at all owned unknowns.
   std::int64_t internal_force(const grid::Vector& u, grid::Vector& force) const;
-  /// Internal less external force [pN]: at prescribed components the force of the support on the
-  /// body, elsewhere the residual.
+  /// Internal force with that of springs, less external force [pN]: at prescribed components the
+  /// force of the support on the body, elsewhere the residual.
   std::int64_t unbalanced_force(const grid::Vector& u, grid::Vector& force) const;
   /// Unbalanced force with prescribed components cleared.
   std::int64_t residual(const grid::Vector& u, grid::Vector& r) const;
@@ -102,9 +103,15 @@ class MomentumBalance {
 
   /// External force at full load [pN], at all owned unknowns; null if there is none.
   const grid::RCP<const grid::Vector>& external_force() const { return external_force_; }
-  /// Size of the forces [pN] to which a residual is compared: the larger of the Euclidean norms of
-  /// the reactions and of the external force.
-  double force_scale(const grid::Vector& unbalanced_force) const;
+  /// Force of each condition's support on the body [pN] at a displacement and its unbalanced force.
+  std::vector<std::array<double, 3>> reactions(const grid::Vector& u,
+                                               const grid::Vector& unbalanced_force) const;
+  /// Energy of the springs of conditions imposed by penalty [aJ]; 0 without any. Its share of all
+  /// energy is what they take off the stiffness of the body between its supports.
+  double spring_energy(const grid::Vector& u) const;
+  /// Size of the forces [pN] to which a residual is compared: the largest of the Euclidean norms of
+  /// the reactions, of the springs' and of the external force.
+  double force_scale(const grid::Vector& u, const grid::Vector& unbalanced_force) const;
   /// How far rounding alone puts the residual from zero at a displacement [pN].
   double rounding(const grid::Vector& u) const;
 
@@ -140,6 +147,9 @@ class MomentumBalance {
   Supports::NodeCounts elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
                                        bool with_fictitious_points) const;
   void find_external_force(const Problem& problem);
+  /// Calls use(boundary point, its gap [um]) for each of this rank's, on the host.
+  template <class Use>
+  void for_each_gap(const grid::Vector& u, const Use& use) const;
 
   base::Communicator communicator_;
   Problem problem_;
@@ -150,6 +160,7 @@ class MomentumBalance {
   Kokkos::View<const Law*, Device> law_;
   Kokkos::View<const double*, Device> density_;  // of each material
   Kokkos::View<const float*, Device> fictitious_volume_;
+  transfer::BoundaryPointSet<Device> boundary_;
   std::array<double, 3> half_edge_;  // of the particles' domains, as seeded [um]
   bool stretches_domains_;
   double typical_diagonal_;  // [pN/um]

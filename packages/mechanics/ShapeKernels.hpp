@@ -9,6 +9,7 @@
 #include "grid/GridSection.hpp"
 #include "grid/Types.hpp"
 #include "material/NeoHookean.hpp"
+#include "transfer/BoundaryPoints.hpp"
 #include "transfer/ExternalForce.hpp"
 #include "transfer/GridToParticles.hpp"
 #include "transfer/StencilRows.hpp"
@@ -25,6 +26,7 @@ class ShapeKernels {
   using Law = material::NeoHookean;
   using Laws = Kokkos::View<const Law*, Device>;
   using Points = transfer::PointSet<Device>;
+  using BoundaryPoints = transfer::BoundaryPointSet<Device>;
   using NodeView = grid::NodeView;
   using ConstNodeView = grid::ConstNodeView;
   using Particles = particles::Particles<Device>;
@@ -54,6 +56,21 @@ class ShapeKernels {
                               const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
                               const Kokkos::View<const double*, Device>& density,
                               const NodeView& force) const = 0;
+  /// transfer::SpringForce; force is added to.
+  virtual void spring_force(const Points& points, const BoundaryPoints& boundary, double load,
+                            const NodeView& force) const = 0;
+  /// transfer::BoundaryGaps.
+  virtual void boundary_gaps(const Points& points, const BoundaryPoints& boundary, double load,
+                             const NodeView& gap) const = 0;
+  /// transfer::SpringTangent.
+  virtual void spring_tangent(const Points& points, const BoundaryPoints& boundary,
+                              const transfer::BlockRows<Device>& rows) const = 0;
+  virtual void spring_tangent(const Points& points, const BoundaryPoints& boundary,
+                              const transfer::StencilRows<Device>& rows) const = 0;
+  /// transfer::SpringTangentTimes; product is added to.
+  virtual void spring_tangent_times(const Points& points, const BoundaryPoints& boundary,
+                                    const ConstNodeView& direction,
+                                    const NodeView& product) const = 0;
   /// transfer::ProjectDisplacement; mass and momentum are added to.
   virtual void project_displacement(const Points& points, const NodeView& displacement,
                                     const Kokkos::View<const double*, Device>& density,

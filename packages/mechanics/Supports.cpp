@@ -24,20 +24,6 @@ bool lies_on(Face face, const std::array<double, 3>& x, const grid::Grid& body) 
   return false;
 }
 
-std::string conflict(const NamedConditions& conditions, int first, int second, int component,
-                     const std::array<double, 3>& x, double a, double b) {
-  return base::format(
-      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at "
-      "their "
-      "common point (%g, %g, %g) um; admissible: equal values, or %c left out of the Components of "
-      "one "
-      "of them",
-      conditions[static_cast<std::size_t>(first)].first.c_str(), "xyz"[component], a,
-      second < 0 ? "plane strain"
-                 : ("\"" + conditions[static_cast<std::size_t>(second)].first + "\"").c_str(),
-      b, x[0], x[1], x[2], "xyz"[component]);
-}
-
 /// Refuses what the grid cannot do.
 void check_condition(const Problem& problem, const std::string& name,
                      const BoundaryCondition& condition) {
@@ -47,7 +33,7 @@ void check_condition(const Problem& problem, const std::string& name,
     throw base::InputError(where +
                            "|Displacement Gradient: displacements that vary along z are not plane "
                            "strain; admissible: zeros in the third column");
-  if (!problem.reset) return;
+  if (!problem.reset || problem.imposed_by(condition) == ImposedBy::penalty) return;
   if (!condition.is_self_contained())
     throw base::InputError(
         where +
@@ -58,13 +44,14 @@ void check_condition(const Problem& problem, const std::string& name,
     throw base::InputError(
         where +
         "|Imposed By: with Grid|Reset, Nodes can hold only a face that stays in "
-        "its plane (its normal displacement prescribed as zero); admissible: Grip");
+        "its plane (its normal displacement prescribed as zero); admissible: Grip, Penalty");
 }
 
 }  // namespace
 
 Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_load,
-                   const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped)
+                   const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped,
+                   const NodeComponents& held_otherwise)
     : halo_(&halo),
       conditions_(static_cast<int>(problem.conditions.size())),
       base_load_(base_load) {
@@ -87,6 +74,7 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
   std::vector<std::uint8_t> held_owned(static_cast<std::size_t>(owned.count()), 0);
   std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
   std::int64_t active_nodes = 0;
+  const auto name_of = [&](int m) { return conditions[static_cast<std::size_t>(m)].first; };
   base::collectively(communicator, [&] {
     for (const auto& [name, condition] : conditions) check_condition(problem, name, condition);
     grid::for_each_index(owned, [&](const grid::Index3& node) {
@@ -100,10 +88,12 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
         double value = 0.0;
         for (int m = 0; m < conditions_ && node_is_active; ++m) {
           const BoundaryCondition& condition = conditions[static_cast<std::size_t>(m)].second;
-          const bool applies = problem.imposed_by(condition) == ImposedBy::grip
+          const ImposedBy by_what = problem.imposed_by(condition);
+          if (!condition.prescribes(c) || by_what == ImposedBy::penalty) continue;
+          const bool applies = by_what == ImposedBy::grip
                                    ? in_grip[static_cast<std::size_t>(m)](t) != 0
                                    : lies_on(*condition.face, x, body);
-          if (!condition.prescribes(c) || !applies) continue;
+          if (!applies) continue;
           ++nodes_of_condition[static_cast<std::size_t>(m)];
           const auto X = condition.carried_from(x, base_load, body.origin, length);
           const double wanted = condition.value(c, X, body.origin, length);
@@ -111,13 +101,13 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
             by = m;
             value = wanted;
           } else if (std::abs(wanted - value) > negligible) {
-            throw base::InputError(conflict(conditions, by, m, c, x, value, wanted));
+            throw base::InputError(conflict(name_of(by), name_of(m), c, x, value, wanted));
           }
         }
         if (grid.flat && c == 2 && node_is_active) {
           if (by == conditions_) by = plane_strain;
           if (std::abs(value) > negligible)
-            throw base::InputError(conflict(conditions, by, -1, c, x, value, 0.0));
+            throw base::InputError(conflict(name_of(by), "", c, x, value, 0.0));
         }
         if (by == conditions_) continue;
         held_owned[n] = static_cast<std::uint8_t>(held_owned[n] | 1u << c);
@@ -126,11 +116,9 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
     });
   });
   for (std::size_t m = 0; m < conditions.size(); ++m)
-    if (communicator.sum(nodes_of_condition[m]) == 0)
-      throw base::InputError(
-          "Boundary Conditions|" + conditions[m].first +
-          "|Face: there is no particle in the elements along this face; admissible: a "
-          "face at which the image has a label other than -1 (empty)");
+    if (problem.imposed_by(conditions[m].second) != ImposedBy::penalty &&
+        communicator.sum(nodes_of_condition[m]) == 0)
+      throw base::InputError(no_particle_near(conditions[m].first));
 
   // Nodes deep in the body can hold a rigid motion; one that the body barely touches cannot.
   std::uint8_t most_filled = 0;
@@ -149,6 +137,7 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
       [&](const auto& visit) {
         for (const Prescribed& p : prescribed_)
           if (p.condition != untouched) visit(component(p.unknown / 3, p.unknown % 3));
+        if (held_otherwise) held_otherwise(visit);
       },
       [&](const auto& visit) {
         for (std::int64_t n = 0; n < owned.count(); ++n)

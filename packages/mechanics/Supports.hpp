@@ -13,7 +13,8 @@
 
 namespace stroma::mechanics {
 
-/// All prescribed components of this rank's owned nodes: those of the face conditions; u_z
+/// All prescribed components of this rank's owned nodes: those of the face conditions (but for
+/// those imposed by penalty, which prescribe nothing: see BoundaryPoints.hpp); u_z
 /// everywhere in plane strain; the nodes that no particle touches, which leave the system; and the
 /// few that hold a free rigid motion.
 ///
@@ -28,12 +29,14 @@ class Supports {
   /// \param filled_around  (touched node) elements around it that hold particles, of any rank; 0:
   ///                       no particle touches it
   /// \param gripped        (condition)(touched node) the same, counting only elements that hold
-  ///                       particles of the condition's grip; not read for ImposedBy::nodes
+  ///                       particles of the condition's grip; read for ImposedBy::grip only
+  /// \param held_otherwise  components that conditions hold by other means, against rigid motion
   /// \throws base::InputError when two conditions prescribe one component differently, when a
   ///         condition's face has no particle near it, or when a condition cannot be followed by a
   ///         grid that is reset
   Supports(const grid::Halo& halo, const Problem& problem, double base_load,
-           const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped);
+           const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped,
+           const NodeComponents& held_otherwise = {});
 
   /// (touched node) bit c: component c is prescribed.
   const Kokkos::View<std::uint8_t*, Device>& held() const { return held_; }
@@ -48,9 +51,9 @@ class Supports {
   /// of face conditions [pN]. Collective.
   double reaction_norm(const grid::Vector& unbalanced_force) const;
 
-  /// Force of each condition's support on the body [pN]: the sum of the unbalanced forces at its
-  /// prescribed components. A component that two conditions prescribe counts for the first.
-  /// Collective.
+  /// Force of each condition's prescribed nodes on the body [pN]: the sum of the unbalanced forces
+  /// at its prescribed components; 0 of a condition imposed by penalty. A component that two
+  /// conditions prescribe counts for the first. Collective.
   std::vector<std::array<double, 3>> reactions(const grid::Vector& unbalanced_force) const;
 
   /// Components held against free rigid motion.

@@ -47,7 +47,7 @@ void ThyraModel::evalModelImpl(const Model::InArgs<double>& in,
   if (out.get_f() != Teuchos::null) {
     const auto f = Extract::getTpetraVector(out.get_f());
     balance_->unbalanced_force(*x, *f);
-    force_scale_ = balance_->force_scale(*f);
+    force_scale_ = balance_->force_scale(*x, *f);
     rounding_ = balance_->rounding(*x);
     balance_->supports().clear(*f);
   }

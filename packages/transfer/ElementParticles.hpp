@@ -24,6 +24,18 @@ struct ParticlePoint {
   double value[Shape::nodes];        ///< N_a [-]
   double gradient[3][Shape::nodes];  ///< (j, a) dN_a/dx_j at the CURRENT configuration [1/um]
   Tensor3 H;                         ///< F - I, from the undeformed body [-]
+
+  /// How far node a carries a point of the body that lies beside the particle, by F r for a vector
+  /// r of the undeformed body [um], in the particle's linear field:
+  /// d(x + F r)/dU_a = N_a + grad_x N_a . F r.
+  KOKKOS_INLINE_FUNCTION double value_beside(int a, const double r[3]) const {
+    double sum = value[a];
+    for (int d = 0; d < 3; ++d) {
+      const double along = r[d] + H(d, 0) * r[0] + H(d, 1) * r[1] + H(d, 2) * r[2];
+      sum += gradient[d][a] * along;
+    }
+    return sum;
+  }
 };
 
 /// The points of a rank, sorted by element, and its displaced nodes: what kernels work on, whatever
@@ -101,21 +113,19 @@ struct ElementParticles : PointSet<Device> {
     shape::Place place = place_in(i, j, k);
     ParticlePoint<Shape> point;
     for (int p = begin; p < end; ++p) {
-      point.p = p;
-      point.material = particles.material(p);
-      point.volume = particles.volume(p);
-      put(p, i, j, k, place);
-      const Tensor3 G = move(place, u, point);
-      point.H = G;
-      if (particles.base_gradient.extent(0) != 0) {
-        Tensor3 base;
-        for (int c = 0; c < 3; ++c)
-          for (int d = 0; d < 3; ++d) base(c, d) = particles.base_gradient(p, c, d);
-        point.H = base + G + G * base;
-      }
+      set(p, i, j, k, u, place, point);
       if (!(1.0 + tensor::det_minus_one(point.H) > 0.0)) ++bad;
       visit(point);
     }
+  }
+
+  /// One particle of element (i, j, k), whose nodes move by u.
+  KOKKOS_INLINE_FUNCTION ParticlePoint<Shape> particle(int p, int i, int j, int k,
+                                                       const double u[3][Shape::nodes]) const {
+    shape::Place place = place_in(i, j, k);
+    ParticlePoint<Shape> point;
+    set(p, i, j, k, u, place, point);
+    return point;
   }
 
   /// The same for the particles and then the fictitious points: all that resists deformation.
@@ -192,6 +202,22 @@ struct ElementParticles : PointSet<Device> {
           place.domain[c][d] = F * half_edge[d];
         }
     }
+  }
+
+  /// Everything about a particle; its place is given but for what put() sets.
+  KOKKOS_INLINE_FUNCTION void set(int p, int i, int j, int k, const double u[3][Shape::nodes],
+                                  shape::Place& place, ParticlePoint<Shape>& point) const {
+    point.p = p;
+    point.material = particles.material(p);
+    point.volume = particles.volume(p);
+    put(p, i, j, k, place);
+    const Tensor3 G = move(place, u, point);
+    point.H = G;
+    if (particles.base_gradient.extent(0) == 0) return;
+    Tensor3 base;
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d) base(c, d) = particles.base_gradient(p, c, d);
+    point.H = base + G + G * base;
   }
 
   KOKKOS_INLINE_FUNCTION static Tensor3 displacement_gradient(

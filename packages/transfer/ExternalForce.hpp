@@ -7,21 +7,24 @@
 
 namespace stroma::transfer {
 
-/// A force per reference volume on the particles between two planes of the undeformed body. A dead
-/// traction t on a face is one as well: t / s on the outermost layer of particles, of thickness s.
+/// A force per reference volume on all particles. A dead traction t on a face of the undeformed
+/// body is one as well: t / s on the outermost layer of particles, of thickness s, which acts at
+/// the points of the face that ride beside them.
 struct VolumeForce {
   double per_volume[3];  ///< [pN/um^3]; or, with per_mass, an acceleration times 1e-6 [m/s^2]
   bool per_mass;         ///< multiply by the density of the particle's material
-  int axis;              ///< of the planes' normal; -1: everywhere
-  double lower, upper;   ///< where the planes are along the axis [um]
+  int axis;              ///< of the face's normal; -1: all particles, at their own places
+  double face;           ///< where the face is along the axis [um]
+  double thickness;      ///< of the layer of particles [um]
 };
 
 /// Adds the external force at full load of each element's particles to its nodes:
 ///
 ///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 sum (per_volume, times rho if per mass)     [pN]
 ///
-/// The forces are dead (they do not change with the deformation), and N_I is that of the base
-/// configuration, as it is in the whole step. Launch with for_each_element(). Source:
+/// with N_I + grad N_I . F r for N_I when the force acts at X_p + r. The forces are dead (they do
+/// not change with the deformation), and N_I is that of the base configuration, as it is in the
+/// whole step. Launch with for_each_element(). Source:
 /// docs/theory.md, eq. (T.16).
 template <class Shape, class Device>
 struct ExternalForce {
@@ -34,18 +37,19 @@ struct ExternalForce {
     const auto& particles = elements.particles;
     double f[3][Shape::nodes] = {};
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-      double on_particle[3] = {};
       for (std::size_t n = 0; n < forces.extent(0); ++n) {
         const VolumeForce& one = forces(n);
+        double r[3] = {};
         if (one.axis >= 0) {
-          const double X = particles.undeformed_position(point.p, one.axis);
-          if (X < one.lower || X > one.upper) continue;
+          r[one.axis] = one.face - particles.undeformed_position(point.p, one.axis);
+          if (fabs(r[one.axis]) > one.thickness) continue;
         }
         const double scale = point.volume * (one.per_mass ? density(point.material) : 1.0);
-        for (int c = 0; c < 3; ++c) on_particle[c] += scale * one.per_volume[c];
+        for (int a = 0; a < Shape::nodes; ++a) {
+          const double carried = point.value_beside(a, r);
+          for (int c = 0; c < 3; ++c) f[c][a] += scale * one.per_volume[c] * carried;
+        }
       }
-      for (int c = 0; c < 3; ++c)
-        for (int a = 0; a < Shape::nodes; ++a) f[c][a] += on_particle[c] * point.value[a];
     });
     for (int a = 0; a < Shape::nodes; ++a) {
       const int node = elements.node_of(i, j, k, a);

@@ -51,6 +51,51 @@ struct BlockRows {
   }
 };
 
+/// The blocks K(a, i, k, b) of one element's nodes a and b, on their way to a matrix.
+template <class Shape, class Rows>
+struct ElementBlocks {
+  using Real = typename Rows::Real;
+  static constexpr int n = Shape::nodes;
+  static constexpr int w = Shape::width;
+  static constexpr int reach = w - 1, side = 2 * reach + 1;
+  static constexpr int lanes = 8;
+  static constexpr int padded = (n + lanes - 1) / lanes * lanes;
+
+  Real K[n][3][3][padded] = {};
+
+  /// Adds them to the rows of the nodes of element (i, j, k), but for what is prescribed.
+  template <class Elements>
+  KOKKOS_INLINE_FUNCTION void add_to(const Rows& rows, const Elements& elements, int i, int j,
+                                     int k) {
+    int node[n], held[n], any_held = 0;
+    for (int a = 0; a < n; ++a) {
+      node[a] = elements.node_of(i, j, k, a);
+      held[a] = rows.held(node[a]);
+      any_held |= held[a];
+    }
+    if (any_held) leave_out(held);
+    for (int a = 0; a < n; ++a) {
+      int s[n];  // place of node b in the stencil of node a
+      for (int b = 0; b < n; ++b) {
+        const int dz = elements.box.flat ? 0 : b / (w * w) - a / (w * w);
+        s[b] = (b % w - a % w + reach) + side * (b / w % w - a / w % w + reach) +
+               side * side * (dz + reach);
+      }
+      rows.add(node[a], K[a], s);
+    }
+  }
+
+ private:
+  /// Clears the rows and columns of prescribed components.
+  KOKKOS_INLINE_FUNCTION void leave_out(const int (&held)[n]) {
+    for (int a = 0; a < n; ++a)
+      for (int c = 0; c < 3; ++c)
+        for (int m = 0; m < 3; ++m)
+          for (int b = 0; b < n; ++b)
+            if ((held[a] >> c & 1) || (held[b] >> m & 1)) K[a][c][m][b] = 0.0;
+  }
+};
+
 /// Adds the tangent of each element's points to the rows of its nodes:
 ///
 ///     K_IiJk = sum_p V0 dN_I/dx_j a_ijkl dN_J/dx_l       [pN/um] = [Pa um]
@@ -78,38 +123,20 @@ struct Tangent {
     const int element = elements.box.element(i, j, k);
     if (elements.particles.element_begin(element) == elements.particles.element_begin(element + 1))
       return;
-    Real K[n][3][3][padded] = {};
+    Blocks blocks;
     Batch batch;
     elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       batch.add(point, law(point.material).isotropic_tangent(point.H));
-      if (batch.count == Batch::size) batch.add_blocks(K);
+      if (batch.count == Batch::size) batch.add_blocks(blocks.K);
     });
-    batch.add_blocks(K);
-    int node[n], held[n], any_held = 0;
-    for (int a = 0; a < n; ++a) {
-      node[a] = elements.node_of(i, j, k, a);
-      held[a] = rows.held(node[a]);
-      any_held |= held[a];
-    }
-    if (any_held) leave_out(held, K);
-    for (int a = 0; a < n; ++a) {
-      int s[n];  // place of node b in the stencil of node a
-      for (int b = 0; b < n; ++b) {
-        const int dz = elements.box.flat ? 0 : b / (w * w) - a / (w * w);
-        s[b] = (b % w - a % w + reach) + side * (b / w % w - a / w % w + reach) +
-               side * side * (dz + reach);
-      }
-      rows.add(node[a], K[a], s);
-    }
+    batch.add_blocks(blocks.K);
+    blocks.add_to(rows, elements, i, j, k);
   }
 
  private:
-  using Real = typename Rows::Real;
-  static constexpr int n = Shape::nodes;
-  static constexpr int w = Shape::width;
-  static constexpr int reach = w - 1, side = 2 * reach + 1;
-  static constexpr int lanes = 8;
-  static constexpr int padded = (n + lanes - 1) / lanes * lanes;
+  using Blocks = ElementBlocks<Shape, Rows>;
+  using Real = typename Blocks::Real;
+  static constexpr int n = Blocks::n, lanes = Blocks::lanes, padded = Blocks::padded;
 
   /// The vectors of a few particles, (particle, component, node).
   struct Batch {
@@ -175,15 +202,6 @@ struct Tangent {
       count = 0;
     }
   };
-
-  /// Clears the rows and columns of prescribed components.
-  KOKKOS_INLINE_FUNCTION static void leave_out(const int (&held)[n], Real (&K)[n][3][3][padded]) {
-    for (int a = 0; a < n; ++a)
-      for (int c = 0; c < 3; ++c)
-        for (int m = 0; m < 3; ++m)
-          for (int b = 0; b < n; ++b)
-            if ((held[a] >> c & 1) || (held[b] >> m & 1)) K[a][c][m][b] = 0.0;
-  }
 };
 
 }  // namespace stroma::transfer

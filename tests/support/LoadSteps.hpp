@@ -37,7 +37,7 @@ inline std::vector<std::array<double, 3>> reactions(const mechanics::MovingBody&
                                                     const grid::Vector& u) {
   grid::Vector force(body.balance().owned_map());
   body.balance().unbalanced_force(u, force);
-  return body.balance().supports().reactions(force);
+  return body.balance().reactions(u, force);
 }
 
 }  // namespace stroma::test

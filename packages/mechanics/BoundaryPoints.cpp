@@ -1,0 +1,159 @@
+#include "mechanics/BoundaryPoints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/Error.hpp"
+
+namespace stroma::mechanics {
+namespace {
+
+using transfer::BoundaryPoint;
+using Vector = std::array<double, 3>;
+
+template <class View>
+auto on_host(const View& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+}
+
+/// What makes the boundary points of one particle.
+class BoundaryPointMaker {
+ public:
+  explicit BoundaryPointMaker(const Problem& problem)
+      : problem_(problem),
+        body_(problem.body),
+        length_{body_.length(0), body_.length(1), body_.length(2)},
+        negligible_(1e-12 * *std::max_element(length_.begin(), length_.end())) {
+    for (const material::NeoHookean& law : problem.laws)
+      stiffest_ = std::max(stiffest_, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
+  }
+
+  /// Appends the points of a particle that lay at X in the undeformed body.
+  void add(int particle, const Vector& X, double volume, std::vector<BoundaryPoint>& points) const {
+    const std::size_t first = points.size();
+    for (std::size_t m = 0; m < problem_.conditions.size(); ++m) {
+      const BoundaryCondition& condition = problem_.conditions[m].second;
+      if (problem_.imposed_by(condition) != ImposedBy::penalty) continue;
+      for (int face = 0; face < 6; ++face)
+        if (*condition.face == Face::all || *condition.face == static_cast<Face>(face))
+          add(particle, X, volume, static_cast<int>(m), static_cast<Face>(face), points);
+    }
+    for (std::size_t a = first; a < points.size(); ++a)
+      for (std::size_t b = a + 1; b < points.size(); ++b) check_edge(X, points[a], points[b]);
+  }
+
+ private:
+  void add(int particle, const Vector& X, double volume, int m, Face face,
+           std::vector<BoundaryPoint>& points) const {
+    const BoundaryCondition& condition = problem_.conditions[static_cast<std::size_t>(m)].second;
+    const int axis = axis_of(face);
+    const auto d = static_cast<std::size_t>(axis);
+    const double spacing = problem_.particle_spacing[d];
+    const double outwards = body_.origin[d] + (is_upper(face) ? body_.length(axis) : 0.0) - X[d];
+    if (!(std::abs(outwards) <= spacing)) return;
+    const double factor = condition.penalty_factor.value_or(1e5);
+    BoundaryPoint point{};
+    point.particle = particle;
+    point.condition = m;
+    point.spring = factor * stiffest_ / length_[d] * volume / spacing;
+    point.offset[axis] = outwards;
+    Vector at = X;
+    at[d] += outwards;
+    for (int c = 0; c < 3; ++c) {
+      // In plane strain a slice moves along z as a whole, and that is seen to elsewhere.
+      if (!condition.prescribes(c) || (body_.flat && c == 2)) continue;
+      point.components |= 1 << c;
+      point.displacement[c] = condition.value(c, at, body_.origin, length_);
+    }
+    if (point.components != 0) points.push_back(point);
+  }
+
+  /// Two conditions whose faces meet at an edge must agree there.
+  void check_edge(const Vector& X, const BoundaryPoint& a, const BoundaryPoint& b) const {
+    Vector edge = X;
+    for (std::size_t d = 0; d < 3; ++d) edge[d] += a.offset[d] + b.offset[d];
+    const auto& first = problem_.conditions[static_cast<std::size_t>(a.condition)];
+    const auto& second = problem_.conditions[static_cast<std::size_t>(b.condition)];
+    for (int c = 0; c < 3; ++c) {
+      if (!(a.components & b.components & 1 << c)) continue;
+      const double one = first.second.value(c, edge, body_.origin, length_);
+      const double other = second.second.value(c, edge, body_.origin, length_);
+      if (std::abs(one - other) > negligible_)
+        throw base::InputError(conflict(first.first, second.first, c, edge, one, other));
+    }
+  }
+
+  const Problem& problem_;
+  const grid::Grid& body_;
+  Vector length_;
+  double negligible_;
+  double stiffest_ = 0.0;
+};
+
+template <class T>
+Kokkos::View<const T*, grid::Device> on_device(const char* name, const std::vector<T>& values) {
+  const Kokkos::View<T*, grid::Device> view(name, values.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+}  // namespace
+
+transfer::BoundaryPointSet<grid::Device> boundary_points(
+    const base::Communicator& communicator, const Problem& problem,
+    const particles::Particles<grid::Device>& particles) {
+  const auto is_penalty = [&](const auto& named) {
+    return problem.imposed_by(named.second) == ImposedBy::penalty;
+  };
+  const auto& conditions = problem.conditions;
+  if (std::none_of(conditions.begin(), conditions.end(), is_penalty)) return {};
+
+  const auto position = on_host(particles.position);
+  const auto moved = on_host(particles.base_displacement);
+  const auto volume = on_host(particles.volume);
+  const auto of_element = on_host(particles.element_begin);
+  const bool has_base = particles.base_gradient.extent(0) != 0;
+  std::vector<BoundaryPoint> points;
+  std::vector<int> begin{0};
+  base::collectively(communicator, [&] {
+    const BoundaryPointMaker maker(problem);
+    for (std::size_t e = 0; e + 1 < of_element.extent(0); ++e) {
+      for (int p = of_element(e); p < of_element(e + 1); ++p) {
+        Vector X;
+        for (int d = 0; d < 3; ++d)
+          X[static_cast<std::size_t>(d)] = position(p, d) - (has_base ? moved(p, d) : 0.0);
+        maker.add(p, X, volume(p), points);
+      }
+      begin.push_back(static_cast<int>(points.size()));
+    }
+  });
+  for (std::size_t m = 0; m < conditions.size(); ++m) {
+    const auto found = std::count_if(points.begin(), points.end(), [&](const BoundaryPoint& b) {
+      return b.condition == static_cast<int>(m);
+    });
+    if (is_penalty(conditions[m]) && communicator.sum(static_cast<std::int64_t>(found)) == 0)
+      throw base::InputError(no_particle_near(conditions[m].first));
+  }
+  return {on_device("boundary points", points), on_device("boundary points of elements", begin)};
+}
+
+NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,
+                               const particles::Particles<grid::Device>& particles) {
+  return [points, position = particles.position](const auto& visit) {
+    const auto point = on_host(points.point);
+    const auto x = on_host(position);
+    for (std::size_t n = 0; n < point.extent(0); ++n) {
+      const BoundaryPoint& b = point(n);
+      NodeComponent held{-1, {}, 0};
+      for (int d = 0; d < 3; ++d)
+        held.position[static_cast<std::size_t>(d)] = x(b.particle, d) + b.offset[d];
+      for (held.component = 0; held.component < 3; ++held.component)
+        if (b.components >> held.component & 1) visit(held);
+    }
+  };
+}
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,36 @@
+#pragma once
+
+/// \file
+/// The points of the body's faces by which conditions are imposed by penalty.
+
+#include "base/Communicator.hpp"
+#include "grid/Types.hpp"
+#include "mechanics/Problem.hpp"
+#include "mechanics/RigidMotion.hpp"
+#include "particles/Particles.hpp"
+#include "transfer/BoundaryPoints.hpp"
+
+namespace stroma::mechanics {
+
+/// The boundary points of all conditions imposed by penalty: one for each particle of the outermost
+/// layer along the condition's face (of each face, for Face::all), straight out from it on the
+/// face, with the spring
+///
+///     k = epsilon V0 / s,     epsilon = factor M / L       [pN/um]
+///
+/// s the distance of particles across the face, L the body's length along its normal, and M the
+/// largest K + 4/3 mu of the body's materials. Springs in series with the body lower a force by
+/// 1 / factor at most, whatever the grid. Source: docs/theory.md, eq. (T.31). Collective.
+///
+/// \throws base::InputError when a face has no particle next to it, or when two conditions want
+///         different displacements at the edge where their faces meet
+transfer::BoundaryPointSet<grid::Device> boundary_points(
+    const base::Communicator& communicator, const Problem& problem,
+    const particles::Particles<grid::Device>& particles);
+
+/// The components that the points hold, as rigid motions see them (free_rigid_motions). The node
+/// numbers are no nodes'.
+NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,
+                               const particles::Particles<grid::Device>& particles);
+
+}  // namespace stroma::mechanics
