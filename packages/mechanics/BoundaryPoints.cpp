@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/Error.hpp"
+#include "grid/ToDevice.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -91,15 +92,6 @@ class BoundaryPointMaker {
   double stiffest_ = 0.0;
 };
 
-template <class T>
-Kokkos::View<const T*, grid::Device> on_device(const char* name, const std::vector<T>& values) {
-  const Kokkos::View<T*, grid::Device> view(name, values.size());
-  const auto host = Kokkos::create_mirror_view(view);
-  std::copy(values.begin(), values.end(), host.data());
-  Kokkos::deep_copy(view, host);
-  return view;
-}
-
 }  // namespace
 
 transfer::BoundaryPointSet<grid::Device> boundary_points(
@@ -137,7 +129,8 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
     if (is_penalty(conditions[m]) && communicator.sum(static_cast<std::int64_t>(found)) == 0)
       throw base::InputError(no_particle_near(conditions[m].first));
   }
-  return {on_device("boundary points", points), on_device("boundary points of elements", begin)};
+  return {grid::to_device("boundary points", points),
+          grid::to_device("boundary points of elements", begin)};
 }
 
 NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,

@@ -9,6 +9,7 @@
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "grid/ToDevice.hpp"
 #include "mechanics/BoundaryPoints.hpp"
 #include "particles/Migration.hpp"
 #include "particles/Seeding.hpp"
@@ -58,16 +59,6 @@ Kokkos::View<std::uint8_t*, grid::Device> grip(const particles::Particles<grid::
   return gripped;
 }
 
-template <class T>
-Kokkos::View<const T*, grid::Device> to_device(const std::string& name,
-                                               const std::vector<T>& values) {
-  Kokkos::View<T*, grid::Device> view(name, values.size());
-  const auto host = Kokkos::create_mirror_view(view);
-  std::copy(values.begin(), values.end(), host.data());
-  Kokkos::deep_copy(view, host);
-  return view;
-}
-
 }  // namespace
 
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
@@ -80,10 +71,10 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       halo_(communicator, partition),
       particles_(particles),
       box_(element_box(partition, communicator.rank())),
-      law_(to_device("law", problem.laws)),
-      density_(to_device("density", problem.density.empty()
-                                        ? std::vector<double>(problem.laws.size(), 1.0)
-                                        : problem.density)),
+      law_(grid::to_device("law", problem.laws)),
+      density_(grid::to_device("density", problem.density.empty()
+                                              ? std::vector<double>(problem.laws.size(), 1.0)
+                                              : problem.density)),
       half_edge_(problem.particle_half_edge),
       stretches_domains_(problem.particle_domain == grid::ParticleDomain::stretched),
       base_load_(base_load),
@@ -159,8 +150,8 @@ void MomentumBalance::find_fictitious_points(double stabilization) {
 
 void MomentumBalance::find_external_force(const Problem& problem) {
   const grid::Vector at_rest(halo_.owned_map());
-  const auto forces =
-      to_device("forces", volume_forces(problem.forces, problem.body, problem.particle_spacing));
+  const auto forces = grid::to_device(
+      "forces", volume_forces(problem.forces, problem.body, problem.particle_spacing));
   kernels_->external_force(points(at_rest), forces, density_, halo_.contributions());
   const auto force = Teuchos::rcp(new grid::Vector(halo_.owned_map()));
   halo_.sum_to_owner(*force);
