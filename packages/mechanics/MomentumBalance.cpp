@@ -57,6 +57,30 @@ Kokkos::View<std::uint8_t*, grid::Device> grip(const particles::Particles<grid::
   return gripped;
 }
 
+/// A force per reference volume at each particle [pN/um^3]; empty without one.
+transfer::ForceAtParticles<grid::Device> body_force_at(
+    const decltype(Problem::body_force)& body_force,
+    const particles::Particles<grid::Device>& particles) {
+  if (!body_force) return {};
+  const auto host = [](const auto& view) {
+    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+  };
+  const auto position = host(particles.position), moved = host(particles.base_displacement);
+  const bool has_moved = particles.base_gradient.extent(0) != 0;
+  const Kokkos::View<double* [3], Kokkos::LayoutRight, grid::Device> force("body force",
+                                                                           position.extent(0));
+  const auto on_host = Kokkos::create_mirror_view(force);
+  for (int p = 0; p < particles.count(); ++p) {
+    std::array<double, 3> X;
+    for (int d = 0; d < 3; ++d)
+      X[static_cast<std::size_t>(d)] = position(p, d) - (has_moved ? moved(p, d) : 0.0);
+    const auto b = body_force(X);
+    for (int c = 0; c < 3; ++c) on_host(p, c) = b[static_cast<std::size_t>(c)];
+  }
+  Kokkos::deep_copy(force, on_host);
+  return force;
+}
+
 template <class T>
 Kokkos::View<const T*, grid::Device> to_device(const std::string& name,
                                                const std::vector<T>& values) {
@@ -101,7 +125,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
   }
   supports_ =
       std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true), grips);
-  if (!problem.forces.empty()) find_external_force(problem);
+  if (!problem.forces.empty() || problem.body_force) find_external_force(problem);
 }
 
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
@@ -109,7 +133,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const particles::Particles<Device>& particles,
                                  const std::vector<Law>& laws, const NamedConditions& conditions)
     : MomentumBalance(communicator, partition, particles,
-                      Problem{partition.grid(), laws, conditions, {}, {}}) {}
+                      Problem{partition.grid(), laws, conditions, {}, {}, {}}) {}
 
 Supports::NodeCounts MomentumBalance::elements_around(
     const Kokkos::View<const std::uint8_t*, Device>& chosen, bool with_fictitious_points) const {
@@ -159,7 +183,8 @@ void MomentumBalance::find_external_force(const Problem& problem) {
   const grid::Vector at_rest(halo_.owned_map());
   const auto forces =
       to_device("forces", volume_forces(problem.forces, problem.body, problem.particle_spacing));
-  kernels_->external_force(points(at_rest), forces, density_, halo_.contributions());
+  const auto at_particles = body_force_at(problem.body_force, particles_);
+  kernels_->external_force(points(at_rest), forces, density_, at_particles, halo_.contributions());
   const auto force = Teuchos::rcp(new grid::Vector(halo_.owned_map()));
   halo_.sum_to_owner(*force);
   external_force_ = force;

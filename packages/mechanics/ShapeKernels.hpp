@@ -53,6 +53,7 @@ class ShapeKernels {
   virtual void external_force(const Points& points,
                               const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
                               const Kokkos::View<const double*, Device>& density,
+                              const transfer::ForceAtParticles<Device>& at_particles,
                               const NodeView& force) const = 0;
   /// transfer::ProjectDisplacement; mass and momentum are added to.
   virtual void project_displacement(const Points& points, const NodeView& displacement,

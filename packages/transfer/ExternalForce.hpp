@@ -16,9 +16,15 @@ struct VolumeForce {
   double lower, upper;   ///< where the planes are along the axis [um]
 };
 
+/// (particle, i) A force per reference volume that differs from particle to particle [pN/um^3], or
+/// empty: none.
+template <class Device>
+using ForceAtParticles = Kokkos::View<const double* [3], Kokkos::LayoutRight, Device>;
+
 /// Adds the external force at full load of each element's particles to its nodes:
 ///
-///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 sum (per_volume, times rho if per mass)     [pN]
+///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 (b_p + sum (per_volume, times rho if per mass))
+///     [pN]
 ///
 /// The forces are dead (they do not change with the deformation), and N_I is that of the base
 /// configuration, as it is in the whole step. Launch with for_each_element(). Source:
@@ -28,6 +34,7 @@ struct ExternalForce {
   ElementParticles<Shape, Device> elements;
   Kokkos::View<const VolumeForce*, Device> forces;
   Kokkos::View<const double*, Device> density;                   ///< (material) [kg/m^3]
+  ForceAtParticles<Device> at_particles;                         ///< b_p
   Kokkos::View<double* [3], Kokkos::LayoutRight, Device> force;  ///< (touched node, i), added to
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
@@ -44,6 +51,8 @@ struct ExternalForce {
         const double scale = point.volume * (one.per_mass ? density(point.material) : 1.0);
         for (int c = 0; c < 3; ++c) on_particle[c] += scale * one.per_volume[c];
       }
+      if (at_particles.extent(0) != 0)
+        for (int c = 0; c < 3; ++c) on_particle[c] += point.volume * at_particles(point.p, c);
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a) f[c][a] += on_particle[c] * point.value[a];
     });
