@@ -6,6 +6,7 @@
 
 #include "base/Error.hpp"
 #include "grid/ToDevice.hpp"
+#include "particles/UndeformedPositions.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -103,22 +104,16 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
   const auto& conditions = problem.conditions;
   if (std::none_of(conditions.begin(), conditions.end(), is_penalty)) return {};
 
-  const auto position = on_host(particles.position);
-  const auto moved = on_host(particles.base_displacement);
+  const auto X = particles::undeformed_positions(particles);
   const auto volume = on_host(particles.volume);
   const auto of_element = on_host(particles.element_begin);
-  const bool has_base = particles.base_gradient.extent(0) != 0;
   std::vector<BoundaryPoint> points;
   std::vector<int> begin{0};
   base::collectively(communicator, [&] {
     const BoundaryPointMaker maker(problem);
     for (std::size_t e = 0; e + 1 < of_element.extent(0); ++e) {
-      for (int p = of_element(e); p < of_element(e + 1); ++p) {
-        Vector X;
-        for (int d = 0; d < 3; ++d)
-          X[static_cast<std::size_t>(d)] = position(p, d) - (has_base ? moved(p, d) : 0.0);
-        maker.add(p, X, volume(p), points);
-      }
+      for (int p = of_element(e); p < of_element(e + 1); ++p)
+        maker.add(p, X[static_cast<std::size_t>(p)], volume(p), points);
       begin.push_back(static_cast<int>(points.size()));
     }
   });

@@ -52,9 +52,10 @@ class KernelsOf : public ShapeKernels {
   void external_force(const Points& points,
                       const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
                       const Kokkos::View<const double*, Device>& density,
+                      const transfer::ForceAtParticles<Device>& at_particles,
                       const NodeView& force) const override {
     launch("external force", points,
-           transfer::ExternalForce<Shape, Device>{{points}, forces, density, force});
+           transfer::ExternalForce<Shape, Device>{{points}, forces, density, at_particles, force});
   }
   void spring_force(const Points& points, const BoundaryPoints& boundary, double load,
                     const NodeView& force) const override {

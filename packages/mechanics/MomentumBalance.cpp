@@ -13,6 +13,7 @@
 #include "mechanics/BoundaryPoints.hpp"
 #include "particles/Migration.hpp"
 #include "particles/Seeding.hpp"
+#include "particles/UndeformedPositions.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -38,25 +39,38 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
 /// elements along its face (along all faces, for Face::all) when the body was undeformed.
 Kokkos::View<std::uint8_t*, grid::Device> grip(const particles::Particles<grid::Device>& particles,
                                                const grid::Grid& body, Face face) {
-  const auto position =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.position);
-  const auto displacement =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.base_displacement);
-  const bool has_base = particles.base_gradient.extent(0) != 0;
+  const auto X = particles::undeformed_positions(particles);
   const Kokkos::View<std::uint8_t*, grid::Device> gripped("gripped", particles.count());
   const auto mark = Kokkos::create_mirror_view(gripped);
   for (int p = 0; p < particles.count(); ++p)
     for (int d = 0; d < 3; ++d) {
       if (face != Face::all && axis_of(face) != d) continue;
-      const double X = position(p, d) - (has_base ? displacement(p, d) : 0.0);
-      const double layer =
-          std::floor((X - body.origin[d]) / body.spacing[d] + particles::face_tolerance);
+      const double layer = std::floor(
+          (X[static_cast<std::size_t>(p)][static_cast<std::size_t>(d)] - body.origin[d]) /
+              body.spacing[d] +
+          particles::face_tolerance);
       const bool lower = layer <= 0.0;
       const bool upper = layer >= static_cast<double>(body.elements[d] - 1);
       if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) mark(p) = 1;
     }
   Kokkos::deep_copy(gripped, mark);
   return gripped;
+}
+
+/// A force per reference volume at each particle [pN/um^3]; empty without one.
+transfer::ForceAtParticles<grid::Device> body_force_at(
+    const decltype(Problem::body_force)& body_force,
+    const particles::Particles<grid::Device>& particles) {
+  if (!body_force) return {};
+  const auto X = particles::undeformed_positions(particles);
+  const Kokkos::View<double* [3], Kokkos::LayoutRight, grid::Device> force("body force", X.size());
+  const auto on_host = Kokkos::create_mirror_view(force);
+  for (int p = 0; p < particles.count(); ++p) {
+    const auto b = body_force(X[static_cast<std::size_t>(p)]);
+    for (int c = 0; c < 3; ++c) on_host(p, c) = b[static_cast<std::size_t>(c)];
+  }
+  Kokkos::deep_copy(force, on_host);
+  return force;
 }
 
 }  // namespace
@@ -94,7 +108,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
   boundary_ = boundary_points(communicator, problem, particles_);
   supports_ = std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true),
                                          grips, held_components(boundary_, particles_));
-  if (!problem.forces.empty()) find_external_force(problem);
+  if (!problem.forces.empty() || problem.body_force) find_external_force(problem);
 }
 
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
@@ -102,7 +116,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const particles::Particles<Device>& particles,
                                  const std::vector<Law>& laws, const NamedConditions& conditions)
     : MomentumBalance(communicator, partition, particles,
-                      Problem{partition.grid(), laws, conditions, {}, {}}) {}
+                      Problem{partition.grid(), laws, conditions, {}, {}, {}}) {}
 
 Supports::NodeCounts MomentumBalance::elements_around(
     const Kokkos::View<const std::uint8_t*, Device>& chosen, bool with_fictitious_points) const {
@@ -152,7 +166,8 @@ void MomentumBalance::find_external_force(const Problem& problem) {
   const grid::Vector at_rest(halo_.owned_map());
   const auto forces = grid::to_device(
       "forces", volume_forces(problem.forces, problem.body, problem.particle_spacing));
-  kernels_->external_force(points(at_rest), forces, density_, halo_.contributions());
+  const auto at_particles = body_force_at(problem.body_force, particles_);
+  kernels_->external_force(points(at_rest), forces, density_, at_particles, halo_.contributions());
   const auto force = Teuchos::rcp(new grid::Vector(halo_.owned_map()));
   halo_.sum_to_owner(*force);
   external_force_ = force;

@@ -5,6 +5,7 @@
 /// method.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "grid/GridSection.hpp"
@@ -20,6 +21,9 @@ struct Problem {
   std::vector<material::NeoHookean> laws;  ///< of each material
   NamedConditions conditions;
   NamedForces forces;
+  /// Besides, a force per reference volume [pN/um^3] at full load that depends on where a particle
+  /// was in the undeformed body, X [um]; empty: none. For applications and tests, not for decks.
+  std::function<std::array<double, 3>(const std::array<double, 3>& X)> body_force = {};
   std::vector<double> density;               ///< of each material [kg/m^3]; empty: all alike
   std::array<double, 3> particle_spacing{};  ///< at load 0 [um]; only tractions need it
   /// Half the edges of a particle's domain at load 0 [um]; only GIMP and CPDI need it.

@@ -55,6 +55,7 @@ class ShapeKernels {
   virtual void external_force(const Points& points,
                               const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
                               const Kokkos::View<const double*, Device>& density,
+                              const transfer::ForceAtParticles<Device>& at_particles,
                               const NodeView& force) const = 0;
   /// transfer::SpringForce; force is added to.
   virtual void spring_force(const Points& points, const BoundaryPoints& boundary, double load,

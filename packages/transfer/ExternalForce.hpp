@@ -18,9 +18,15 @@ struct VolumeForce {
   double thickness;      ///< of the layer of particles [um]
 };
 
+/// (particle, i) A force per reference volume that differs from particle to particle [pN/um^3], or
+/// empty: none.
+template <class Device>
+using ForceAtParticles = Kokkos::View<const double* [3], Kokkos::LayoutRight, Device>;
+
 /// Adds the external force at full load of each element's particles to its nodes:
 ///
-///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 sum (per_volume, times rho if per mass)     [pN]
+///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 (b_p + sum (per_volume, times rho if per mass))
+///     [pN]
 ///
 /// with N_I + grad N_I . F r for N_I when the force acts at X_p + r. The forces are dead (they do
 /// not change with the deformation), and N_I is that of the base configuration, as it is in the
@@ -31,6 +37,7 @@ struct ExternalForce {
   ElementParticles<Shape, Device> elements;
   Kokkos::View<const VolumeForce*, Device> forces;
   Kokkos::View<const double*, Device> density;                   ///< (material) [kg/m^3]
+  ForceAtParticles<Device> at_particles;                         ///< b_p
   Kokkos::View<double* [3], Kokkos::LayoutRight, Device> force;  ///< (touched node, i), added to
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
@@ -50,6 +57,10 @@ struct ExternalForce {
           for (int c = 0; c < 3; ++c) f[c][a] += scale * one.per_volume[c] * carried;
         }
       }
+      if (at_particles.extent(0) != 0)
+        for (int c = 0; c < 3; ++c)
+          for (int a = 0; a < Shape::nodes; ++a)
+            f[c][a] += point.volume * at_particles(point.p, c) * point.value[a];
     });
     for (int a = 0; a < Shape::nodes; ++a) {
       const int node = elements.node_of(i, j, k, a);

@@ -28,7 +28,8 @@ struct Specimen {
   bool plane_strain = false;
   bool reset = false;
   mechanics::NamedForces forces;
-  std::vector<double> density;  ///< of each law [kg/m^3]
+  decltype(mechanics::Problem::body_force) body_force;  ///< [pN/um^3], at X
+  std::vector<double> density;                          ///< of each law [kg/m^3]
   double stabilization = 0.0;
   grid::ShapeFunctions shape_functions = grid::ShapeFunctions::linear;
   grid::ParticleDomain particle_domain = grid::ParticleDomain::stretched;
@@ -89,6 +90,7 @@ struct Specimen {
     problem.laws = laws;
     problem.conditions = conditions;
     problem.forces = forces;
+    problem.body_force = body_force;
     problem.density = density;
     for (int d = 0; d < 3; ++d) {
       const auto i = static_cast<std::size_t>(d);

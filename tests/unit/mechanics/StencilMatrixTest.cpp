@@ -25,7 +25,10 @@ class StencilTangent : public ::testing::TestWithParam<bool> {
     };
     specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")},
                            {"side", test::hold(Face::z_lower, "z")},
-                           {"top", test::stretch(Face::y_upper, "y", 0.1)}};
+                           {"top", test::stretch(Face::y_upper, "y", 0.1)},
+                           {"springs", test::stretch(Face::x_upper, "xy", 0.1)}};
+    specimen.conditions.back().second.imposed_by = ImposedBy::penalty;
+    specimen.conditions.back().second.penalty_factor = 10.0;
     if (GetParam()) {
       specimen.elements = {9, 6, 1};
       specimen.plane_strain = true;

@@ -15,7 +15,8 @@ using test::Specimen;
 
 base::Communicator world() { return base::Communicator::world(); }
 
-/// Two materials, empty space in a corner, and faces that hold some components only; as a block, or
+/// Two materials, empty space in a corner, and faces that hold some components only, one of them by
+/// springs; as a block, or
 /// as a slice in plane strain, whose upper and lower nodes are one.
 Specimen mixed_specimen(bool slice) {
   Specimen specimen;
@@ -25,7 +26,10 @@ Specimen mixed_specimen(bool slice) {
   };
   specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")},
                          {"side", test::hold(Face::z_lower, "z")},
-                         {"top", test::stretch(Face::y_upper, "y", 0.1)}};
+                         {"top", test::stretch(Face::y_upper, "y", 0.1)},
+                         {"springs", test::stretch(Face::x_upper, "xy", 0.1)}};
+  specimen.conditions.back().second.imposed_by = ImposedBy::penalty;
+  specimen.conditions.back().second.penalty_factor = 10.0;
   if (slice) {
     specimen.elements = {7, 6, 1};
     specimen.plane_strain = true;

@@ -36,7 +36,10 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// V-FEXT-1. Reactions, body force, weight and traction are in balance, and so are their moments
+/// A force that differs from place to place in the undeformed body [pN/um^3].
+Vector3 uneven_force(const Vector3& X) { return {0.5 * X[1], -0.25 * X[0], 0.125 * X[1] * X[2]}; }
+
+// V-FEXT-1. Reactions, body forces, weight and traction are in balance, and so are their moments
 // about the origin, at the places where nodes and particles are by then. The forces on the
 // particles are summed here from the deck's words, not from the code under test.
 TEST(ExternalForces, BalanceWithTheReactions) {
@@ -52,6 +55,7 @@ TEST(ExternalForces, BalanceWithTheReactions) {
     weight.acceleration = a;
     specimen.forces = {
         {"push", body_force(b)}, {"weight", weight}, {"pull", traction(Face::x_upper, t)}};
+    specimen.body_force = uneven_force;
     mechanics::MovingBody body = specimen.moving_body(world());
     test::take_steps(body, 3, test::to_rounding(), [&](double load, const grid::Vector& u) {
       const auto& balance = body.balance();
@@ -62,16 +66,17 @@ TEST(ExternalForces, BalanceWithTheReactions) {
       for (int p = 0; p < particles.count(); ++p) {
         const double V = particles.volume(p);
         const double rho = specimen.density[particles.material(p)];
-        Vector3 x, f;
+        Vector3 x, X, f;
         for (int d = 0; d < 3; ++d) {
           const auto i = static_cast<std::size_t>(d);
-          const double X = reset ? particles.position(p, d) - particles.base_displacement(p, d)
-                                 : particles.position(p, d);
-          x[i] = X + fields.displacement(p, d);
-          f[i] = load * V * (b[i] + 1e-6 * rho * a[i]);
+          X[i] = reset ? particles.position(p, d) - particles.base_displacement(p, d)
+                       : particles.position(p, d);
+          x[i] = X[i] + fields.displacement(p, d);
         }
-        const double X0 = x[0] - fields.displacement(p, 0);
-        for (std::size_t i = 0; i < 3 && X0 > 8.4 - s; ++i) f[i] += load * (V / s) * t[i];
+        const Vector3 uneven = uneven_force(X);
+        for (std::size_t i = 0; i < 3; ++i)
+          f[i] = load * V * (b[i] + 1e-6 * rho * a[i] + uneven[i]);
+        for (std::size_t i = 0; i < 3 && X[0] > 8.4 - s; ++i) f[i] += load * (V / s) * t[i];
         const Vector3 moment = cross(x, f);
         for (std::size_t i = 0; i < 3; ++i) {
           sums[i] += f[i];
@@ -80,15 +85,14 @@ TEST(ExternalForces, BalanceWithTheReactions) {
         }
       }
       const double applied = world().sum(sums[0]);
-      EXPECT_NEAR(applied,
-                  load * (8.4 * 8.4 * 8.0 * b[0] + 8.4 * 8.0 * t[0]) +
-                      load * 1e-6 * a[0] * world().sum([&] {
-                        double mass = 0.0;
-                        for (int p = 0; p < particles.count(); ++p)
-                          mass += particles.volume(p) * specimen.density[particles.material(p)];
-                        return mass;
-                      }()),
-                  1e-10 * std::abs(applied));
+      double mass = 0.0;
+      for (int p = 0; p < particles.count(); ++p)
+        mass += particles.volume(p) * specimen.density[particles.material(p)];
+      const double whole = 8.4 * 8.4 * 8.0;
+      EXPECT_NEAR(
+          applied,
+          load * (whole * (b[0] + 0.5 * 4.2) + 8.4 * 8.0 * t[0] + 1e-6 * a[0] * world().sum(mass)),
+          1e-10 * std::abs(applied));
       grid::Vector force(balance.owned_map());
       balance.unbalanced_force(u, force);
       const grid::Grid& grid = balance.halo().partition().grid();

@@ -1,0 +1,37 @@
+#pragma once
+
+/// \file
+/// Every choice of shape functions, for tests that must hold for all of them.
+
+#include <string>
+#include <vector>
+
+#include "support/Specimen.hpp"
+
+namespace stroma::test {
+
+/// One choice of shape functions, and of the domains that it averages over.
+struct ShapeChoice {
+  grid::ShapeFunctions shape_functions;
+  grid::ParticleDomain particle_domain;
+  std::string name;
+
+  void apply_to(Specimen& specimen) const {
+    specimen.shape_functions = shape_functions;
+    specimen.particle_domain = particle_domain;
+  }
+};
+
+inline std::vector<ShapeChoice> shape_choices() {
+  using grid::ParticleDomain;
+  using grid::ShapeFunctions;
+  return {{ShapeFunctions::linear, ParticleDomain::stretched, "Linear"},
+          {ShapeFunctions::gimp, ParticleDomain::stretched, "GIMP"},
+          {ShapeFunctions::gimp, ParticleDomain::undeformed, "GIMP_Undeformed"},
+          {ShapeFunctions::cpdi, ParticleDomain::stretched, "CPDI"},
+          {ShapeFunctions::cpdi, ParticleDomain::undeformed, "CPDI_Undeformed"},
+          {ShapeFunctions::quadratic_b_spline, ParticleDomain::stretched, "Quadratic_B_Spline"},
+          {ShapeFunctions::cubic_b_spline, ParticleDomain::stretched, "Cubic_B_Spline"}};
+}
+
+}  // namespace stroma::test

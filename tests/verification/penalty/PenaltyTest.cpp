@@ -1,0 +1,184 @@
+/// \file
+/// Conditions imposed by penalty, with every shape function, on a grid that is reset and on one
+/// that is not. Claims V-PEN-1 to V-PEN-5, docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/Error.hpp"
+#include "support/LoadSteps.hpp"
+#include "support/ShapeChoices.hpp"
+
+namespace stroma {
+namespace {
+
+using mechanics::Face;
+using mechanics::ImposedBy;
+using test::ShapeChoice;
+using test::Specimen;
+
+base::Communicator world() { return base::Communicator::world(); }
+
+void impose_by_penalty(Specimen& specimen) {
+  for (auto& named : specimen.conditions) named.second.imposed_by = ImposedBy::penalty;
+}
+
+/// A block of two materials, or a slice of it.
+Specimen two_materials(bool slice) {
+  Specimen specimen;
+  specimen.elements = {4, 6, 4};
+  specimen.layout = {particles::Layout::per_element, 1, 2};
+  specimen.label = test::crossing_bars;
+  if (slice) {
+    specimen.elements = {8, 8, 1};
+    specimen.plane_strain = true;
+    specimen.label = [](const grid::Index3& voxel) {
+      return test::crossing_bars({voxel[0] / 2, voxel[1] / 2, 4});
+    };
+  }
+  return specimen;
+}
+
+struct Pull {
+  double bottom, top;  ///< forces of the supports along y [pN]
+  double give;         ///< share of the springs in all energy
+};
+
+Pull pull(const Specimen& specimen, int steps) {
+  mechanics::MovingBody body = specimen.moving_body(world());
+  Pull result{};
+  test::take_steps(body, steps, test::to_rounding(), [&](double, const grid::Vector& u) {
+    const auto reactions = test::reactions(body, u);
+    const auto fields = body.balance().particle_fields(u);
+    double energy = 0.0;
+    for (int p = 0; p < body.balance().particles().count(); ++p)
+      energy += fields.energy(p) * body.balance().particles().volume(p);
+    const double springs = body.balance().spring_energy(u);
+    result = {reactions[0][1], reactions[1][1], springs / (springs + world().sum(energy))};
+  });
+  return result;
+}
+
+// V-PEN-1. Springs in series with the body: they lower the force by their share of the energy, by
+// less than 1e-4 with the default stiffness, and in inverse proportion to it.
+TEST(Penalty, LowersTheForceByItsShareOfTheEnergy) {
+  for (const bool slice : {false, true}) {
+    Specimen specimen = two_materials(slice);
+    specimen.conditions = test::clamped(0.02);
+    const double exact = pull(specimen, 1).top;
+    impose_by_penalty(specimen);
+    const Pull stiff = pull(specimen, 1);
+    for (auto& named : specimen.conditions) named.second.penalty_factor = 1e4;
+    const Pull soft = pull(specimen, 1);
+    const double effect = 1.0 - stiff.top / exact;
+    if (world().is_root())
+      std::printf("  %s: force lower by %.2e, springs hold %.2e of the energy\n",
+                  slice ? "slice" : "block", effect, stiff.give);
+    EXPECT_GT(effect, 0.0);
+    EXPECT_LT(effect, 1e-4);
+    EXPECT_NEAR(effect, stiff.give, 0.1 * effect);
+    EXPECT_NEAR(1.0 - soft.top / exact, 10.0 * effect, 0.1 * effect);
+  }
+}
+
+class PenaltyOf : public ::testing::TestWithParam<ShapeChoice> {};
+INSTANTIATE_TEST_SUITE_P(Shapes, PenaltyOf, ::testing::ValuesIn(test::shape_choices()),
+                         [](const auto& choice) { return choice.param.name; });
+
+// V-PEN-2. A motion of all faces that is linear in X has no gap anywhere: every particle follows
+// it, over steps in which particles change their elements, and uniform stress needs no more.
+TEST_P(PenaltyOf, LinearMotionIsExact) {
+  for (const bool slice : {false, true})
+    for (const bool reset : {false, true}) {
+      Specimen specimen = two_materials(slice);
+      specimen.label = {};
+      GetParam().apply_to(specimen);
+      specimen.reset = reset;
+      specimen.stabilization = reset ? 0.01 : 0.0;
+      specimen.conditions = {{"all", test::hold(Face::all, "xyz")}};
+      std::array<double, 9> G{0.05, 0.2, 0.0, -0.1, 0.3, 0.0, 0.0, 0.0, 0.0};
+      if (!slice) G = {0.05, 0.2, 0.1, -0.1, 0.3, 0.05, 0.02, -0.04, -0.1};
+      specimen.conditions[0].second.displacement_gradient = G;
+      impose_by_penalty(specimen);
+      mechanics::MovingBody body = specimen.moving_body(world());
+      test::take_steps(body, 3, test::to_rounding(), [&](double load, const grid::Vector& u) {
+        tensor::Tensor3 H;
+        for (int c = 0; c < 3; ++c)
+          for (int d = 0; d < 3; ++d) H(c, d) = load * G[static_cast<std::size_t>(3 * c + d)];
+        const tensor::Tensor3 sigma = specimen.laws[0].cauchy_stress(H);
+        const auto fields = body.balance().particle_fields(u);
+        for (int p = 0; p < body.balance().particles().count(); ++p) {
+          EXPECT_NEAR(fields.stress(p, 0), sigma(0, 0), 1e-6);
+          EXPECT_NEAR(fields.stress(p, 1), sigma(1, 1), 1e-6);
+          EXPECT_NEAR(fields.stress(p, 3), sigma(0, 1), 1e-6);
+        }
+      });
+    }
+}
+
+// V-PEN-3. Reactions are the springs' forces: they balance, and with every shape function, in both
+// modes, they come to the force of hats with nodes, but for discretisation.
+TEST_P(PenaltyOf, ForcesBalance) {
+  Specimen nodes = two_materials(true);
+  nodes.conditions = test::clamped(0.05);
+  const double hats = pull(nodes, 1).top;
+  for (const bool reset : {false, true}) {
+    Specimen specimen = nodes;
+    GetParam().apply_to(specimen);
+    specimen.reset = reset;
+    specimen.stabilization = reset ? 0.01 : 0.0;
+    impose_by_penalty(specimen);
+    const Pull now = pull(specimen, reset ? 3 : 1);
+    EXPECT_NEAR(now.bottom, -now.top, 1e-7 * now.top);
+    if (world().is_root())
+      std::printf("  %-18s %s %.4f of hats with nodes, springs hold %.1e of the energy\n",
+                  GetParam().name.c_str(), reset ? "reset   " : "no reset", now.top / hats,
+                  now.give);
+    EXPECT_NEAR(now.top, hats, 0.05 * hats);
+    EXPECT_LT(now.give, 1e-4);
+  }
+}
+
+// V-PEN-4. The answer does not depend on the ranks: each also solves the whole problem by itself.
+TEST_P(PenaltyOf, RanksAgree) {
+  Specimen specimen = two_materials(true);
+  GetParam().apply_to(specimen);
+  specimen.conditions = test::clamped(0.05);
+  specimen.reset = true;
+  specimen.stabilization = 0.01;
+  impose_by_penalty(specimen);
+  const auto force = [&](const base::Communicator& communicator) {
+    mechanics::MovingBody body = specimen.moving_body(communicator);
+    double top = 0.0;
+    test::take_steps(body, 2, test::to_rounding(),
+                     [&](double, const grid::Vector& u) { top = test::reactions(body, u)[1][1]; });
+    return top;
+  };
+  const double alone = force(base::Communicator::self());
+  EXPECT_NEAR(force(world()), alone, 1e-9 * alone);
+}
+
+// V-PEN-5. What cannot be imposed is refused.
+TEST(Penalty, BadConditionsAreNamed) {
+  const auto message = [](const Specimen& specimen) {
+    try {
+      specimen.balance(world());
+    } catch (const base::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  Specimen specimen = two_materials(false);
+  specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")},
+                         {"side", test::stretch(Face::x_upper, "xy", 0.1)}};
+  impose_by_penalty(specimen);
+  EXPECT_NE(message(specimen).find("differ at their common point"), std::string::npos);
+  specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")}};
+  impose_by_penalty(specimen);
+  specimen.label = [](const grid::Index3& voxel) { return voxel[1] < 3 ? -1 : 0; };
+  EXPECT_NE(message(specimen).find("there is no particle"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stroma
