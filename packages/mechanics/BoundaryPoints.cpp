@@ -19,6 +19,18 @@ auto on_host(const View& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
 }
 
+/// epsilon of a condition on a face across an axis [Pa/um].
+double stiffness_per_area(const Problem& problem, const BoundaryCondition& condition, int axis) {
+  double stiffest = 0.0;
+  for (const material::NeoHookean& law : problem.laws)
+    stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
+  return condition.penalty_factor.value_or(1e5) * stiffest / problem.body.length(axis);
+}
+
+bool is_on(Face face, const BoundaryCondition& condition) {
+  return *condition.face == Face::all || *condition.face == face;
+}
+
 /// What makes the boundary points of one particle.
 class BoundaryPointMaker {
  public:
@@ -26,10 +38,7 @@ class BoundaryPointMaker {
       : problem_(problem),
         body_(problem.body),
         length_{body_.length(0), body_.length(1), body_.length(2)},
-        negligible_(1e-12 * *std::max_element(length_.begin(), length_.end())) {
-    for (const material::NeoHookean& law : problem.laws)
-      stiffest_ = std::max(stiffest_, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
-  }
+        negligible_(1e-12 * *std::max_element(length_.begin(), length_.end())) {}
 
   /// Appends the points of a particle that lay at X in the undeformed body.
   void add(int particle, const Vector& X, double volume, std::vector<BoundaryPoint>& points) const {
@@ -38,7 +47,7 @@ class BoundaryPointMaker {
       const BoundaryCondition& condition = problem_.conditions[m].second;
       if (problem_.imposed_by(condition) != ImposedBy::penalty) continue;
       for (int face = 0; face < 6; ++face)
-        if (*condition.face == Face::all || *condition.face == static_cast<Face>(face))
+        if (is_on(static_cast<Face>(face), condition))
           add(particle, X, volume, static_cast<int>(m), static_cast<Face>(face), points);
     }
     for (std::size_t a = first; a < points.size(); ++a)
@@ -54,11 +63,10 @@ class BoundaryPointMaker {
     const double spacing = problem_.particle_spacing[d];
     const double outwards = body_.origin[d] + (is_upper(face) ? body_.length(axis) : 0.0) - X[d];
     if (!(std::abs(outwards) <= spacing)) return;
-    const double factor = condition.penalty_factor.value_or(1e5);
     BoundaryPoint point{};
     point.particle = particle;
     point.condition = m;
-    point.spring = factor * stiffest_ / length_[d] * volume / spacing;
+    point.spring = stiffness_per_area(problem_, condition, axis) * volume / spacing;
     point.offset[axis] = outwards;
     Vector at = X;
     at[d] += outwards;
@@ -90,7 +98,6 @@ class BoundaryPointMaker {
   const grid::Grid& body_;
   Vector length_;
   double negligible_;
-  double stiffest_ = 0.0;
 };
 
 }  // namespace
@@ -126,6 +133,21 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
   }
   return {grid::to_device("boundary points", points),
           grid::to_device("boundary points of elements", begin)};
+}
+
+double stiffest_springs(const Problem& problem) {
+  double stiffest = 0.0;
+  for (const auto& named : problem.conditions)
+    for (int face = 0; face < 6; ++face) {
+      const int axis = axis_of(static_cast<Face>(face));
+      if (problem.imposed_by(named.second) != ImposedBy::penalty ||
+          !is_on(static_cast<Face>(face), named.second))
+        continue;
+      const auto& h = problem.body.spacing;
+      const double area = h[0] * h[1] * h[2] / h[static_cast<std::size_t>(axis)];
+      stiffest = std::max(stiffest, stiffness_per_area(problem, named.second, axis) * area);
+    }
+  return stiffest;
 }
 
 NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,

@@ -28,6 +28,10 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
     const base::Communicator& communicator, const Problem& problem,
     const particles::Particles<grid::Device>& particles);
 
+/// The size of the diagonal entries that the springs bring to the tangent, epsilon times the face
+/// of an element, the largest of all conditions [pN/um]; 0 without any.
+double stiffest_springs(const Problem& problem);
+
 /// The components that the points hold, as rigid motions see them (free_rigid_motions). The node
 /// numbers are no nodes'.
 NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,

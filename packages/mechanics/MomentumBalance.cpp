@@ -106,6 +106,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       grips[m] = elements_around(grip(particles_, problem.body, *condition.face), false);
   }
   boundary_ = boundary_points(communicator, problem, particles_);
+  stiffest_diagonal_ = std::max(typical_diagonal_, stiffest_springs(problem));
   supports_ = std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true),
                                          grips, held_components(boundary_, particles_));
   if (!problem.forces.empty() || problem.body_force) find_external_force(problem);
@@ -334,7 +335,7 @@ double MomentumBalance::force_scale(const grid::Vector& u,
 }
 
 double MomentumBalance::rounding(const grid::Vector& u) const {
-  return 16.0 * std::numeric_limits<double>::epsilon() * typical_diagonal_ * u.norm2();
+  return 16.0 * std::numeric_limits<double>::epsilon() * stiffest_diagonal_ * u.norm2();
 }
 
 void MomentumBalance::project_displacement(const grid::Vector& u, grid::Vector& projected) const {

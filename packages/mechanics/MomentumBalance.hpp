@@ -163,7 +163,8 @@ class MomentumBalance {
   transfer::BoundaryPointSet<Device> boundary_;
   std::array<double, 3> half_edge_;  // of the particles' domains, as seeded [um]
   bool stretches_domains_;
-  double typical_diagonal_;  // [pN/um]
+  double typical_diagonal_;   // [pN/um]
+  double stiffest_diagonal_;  // with springs [pN/um]
   double base_load_, load_;
   grid::RCP<const grid::Vector> external_force_;
   std::unique_ptr<Supports> supports_;
