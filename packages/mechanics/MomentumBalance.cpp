@@ -207,8 +207,9 @@ std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector
 std::int64_t MomentumBalance::unbalanced_force(const grid::Vector& u, grid::Vector& force) const {
   const base::Stage stage("internal force");
   const Points at_u = points(u);
-  const std::int64_t bad = kernels_->internal_force(at_u, law_, halo_.contributions());
-  if (!boundary_.empty()) kernels_->spring_force(at_u, boundary_, load_, halo_.contributions());
+  const grid::NodeView sum = halo_.contributions();
+  const std::int64_t bad = kernels_->internal_force(at_u, law_, sum);
+  if (!boundary_.empty()) kernels_->spring_force(at_u, boundary_, load_, sum);
   halo_.sum_to_owner(force);
   if (external_force_ != Teuchos::null) force.update(-load_, *external_force_, 1.0);
   return communicator_.sum(bad);
@@ -281,9 +282,9 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
   Kokkos::deep_copy(displacement, at_u.displacement);
   at_u.displacement = displacement;
   const grid::ConstNodeView direction = halo_.gather(v);
-  kernels_->tangent_times(at_u, law_, direction, halo_.contributions());
-  if (!boundary_.empty())
-    kernels_->spring_tangent_times(at_u, boundary_, direction, halo_.contributions());
+  const grid::NodeView sum = halo_.contributions();
+  kernels_->tangent_times(at_u, law_, direction, sum);
+  if (!boundary_.empty()) kernels_->spring_tangent_times(at_u, boundary_, direction, sum);
   halo_.sum_to_owner(product);
 }
 
