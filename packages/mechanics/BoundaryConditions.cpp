@@ -141,7 +141,7 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       "Penalty Factor", &BoundaryCondition::penalty_factor, deck::positive(),
       "Stiffness of the springs of Imposed By = Penalty: per area, Penalty Factor * (K + 4/3 mu) / "
       "length of the body along the face's normal. They lower the force by about 1 / Penalty "
-      "Factor. Without it: 1e5.");
+      "Factor. Without it: 2e4.");
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
       const char c = p.components[n];

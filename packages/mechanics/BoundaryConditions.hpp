@@ -35,7 +35,7 @@ struct BoundaryCondition {
   std::optional<std::array<double, 9>> displacement_gradient;  ///< G, row by row [-]
   std::optional<ImposedBy> imposed_by;  ///< else: nodes without grid reset, grip with it
   /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
-  std::optional<double> penalty_factor;  ///< else 1e5
+  std::optional<double> penalty_factor;  ///< else 2e4
 
   bool prescribes(int component) const {
     return components.find("xyz"[component]) != std::string::npos;

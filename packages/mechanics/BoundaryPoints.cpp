@@ -24,7 +24,7 @@ double stiffness_per_area(const Problem& problem, const BoundaryCondition& condi
   double stiffest = 0.0;
   for (const material::NeoHookean& law : problem.laws)
     stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
-  return condition.penalty_factor.value_or(1e5) * stiffest / problem.body.length(axis);
+  return condition.penalty_factor.value_or(2e4) * stiffest / problem.body.length(axis);
 }
 
 bool is_on(Face face, const BoundaryCondition& condition) {

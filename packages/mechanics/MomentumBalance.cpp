@@ -314,11 +314,21 @@ std::vector<std::array<double, 3>> MomentumBalance::reactions(
 }
 
 double MomentumBalance::spring_energy(const grid::Vector& u) const {
-  double energy = 0.0;
+  std::vector<double> sums(6 * problem_.conditions.size());  // stiffness; force; per component
   for_each_gap(u, [&](const transfer::BoundaryPoint& b, const std::array<double, 3>& gap) {
-    for (const double g : gap) energy += 0.5 * b.spring * g * g;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t at = 6 * static_cast<std::size_t>(b.condition) + c;
+      if (!(b.components >> c & 1)) continue;
+      sums[at] += b.spring;
+      sums[at + 3] += b.spring * gap[c];
+    }
   });
-  return communicator_.sum(energy);
+  communicator_.sum_all(sums.data(), sums.size());
+  double energy = 0.0;
+  for (std::size_t at = 0; at < sums.size(); at += 6)
+    for (std::size_t c = at; c < at + 3; ++c)
+      if (sums[c] > 0.0) energy += 0.5 * sums[c + 3] * sums[c + 3] / sums[c];
+  return energy;
 }
 
 double MomentumBalance::force_scale(const grid::Vector& u,

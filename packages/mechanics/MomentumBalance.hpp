@@ -106,8 +106,9 @@ class MomentumBalance {
   /// Force of each condition's support on the body [pN] at a displacement and its unbalanced force.
   std::vector<std::array<double, 3>> reactions(const grid::Vector& u,
                                                const grid::Vector& unbalanced_force) const;
-  /// Energy of the springs of conditions imposed by penalty [aJ]; 0 without any. Its share of all
-  /// energy is what they take off the stiffness of the body between its supports.
+  /// Energy that the springs of conditions imposed by penalty hold because the supports pull [aJ],
+  /// sum R^2 / (2 sum k) over conditions and components; 0 without any. Its share of all energy is
+  /// what they take off the stiffness of the body between its supports.
   double spring_energy(const grid::Vector& u) const;
   /// Size of the forces [pN] to which a residual is compared: the largest of the Euclidean norms of
   /// the reactions, of the springs' and of the external force.
