@@ -3,7 +3,7 @@
 /// (../shared/reference). Without grid reset, with particles at the references' points, linear
 /// shape functions are the same discretisation: reactions and energy at every load step, nodal
 /// displacements and particle stresses at the last one agree to 1e-8 of their largest value (the
-/// references have 10 digits). Claims V-REF-A to V-REF-E, docs/verification.md.
+/// references have 10 digits). Claims V-REF-A to V-REF-F, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -128,7 +128,8 @@ INSTANTIATE_TEST_SUITE_P(Shared, ReferenceCases,
                                            "B_cyl8_voxel", "C_cyl8_free_gauss", "C_cyl8_free_voxel",
                                            "D_circle8_planestrain_gauss",
                                            "D_circle8_planestrain_voxel", "E_confined_compression",
-                                           "E_simple_shear"),
+                                           "E_simple_shear", "F_nu0495_n4_std", "F_nu0495_n4_q1p0",
+                                           "F_nu0495_n8_std", "F_nu0495_n8_q1p0"),
                          [](const auto& file) { return file.param; });
 
 }  // namespace
