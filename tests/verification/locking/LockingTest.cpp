@@ -38,8 +38,6 @@ double force(const Method& method, Dilatation dilatation, int elements) {
   specimen.stabilization = method.reset ? 0.01 : 0.0;
   specimen.dilatation = dilatation;
   specimen.conditions = test::clamped(0.05);
-  for (auto& condition : specimen.conditions)
-    condition.second.imposed_by = mechanics::ImposedBy::nodes;
   mechanics::MovingBody body = specimen.moving_body(world);
   solver::SolverParameters parameters;
   parameters.preconditioner = solver::PreconditionerKind::direct;
