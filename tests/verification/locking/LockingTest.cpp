@@ -7,6 +7,7 @@
 
 #include "material/Material.hpp"
 #include "support/LoadSteps.hpp"
+#include "support/Specimen.hpp"
 
 namespace stroma {
 namespace {
