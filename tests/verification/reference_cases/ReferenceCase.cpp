@@ -91,7 +91,6 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
     return parameter("Label", "int", label) + parameter("Shear Modulus [Pa]", "double", mu) +
            parameter("Poisson Ratio", "double", name_.front() == 'F' ? "0.495" : "0.4");
   };
-  const bool has_mean_dilatation = name_.find("q1p0") != std::string::npos;
   const bool gauss = json_.at("quadrature").at("name") == "gauss2";
   std::string boundary;
   for (const CaseCondition& condition : conditions_)
@@ -112,7 +111,7 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
                     parameter("Element Size [um]", "Array(double)", sized(element_size_, 1.0)) +
                         parameter("Plane Strain", "bool", name_.front() == 'D' ? "true" : "false") +
                         parameter("Dilatation", "string",
-                                  has_mean_dilatation ? "Element Mean" : "Pointwise")) +
+                                  has_mean_dilatation() ? "Element Mean" : "Pointwise")) +
                list("Boundary Conditions", boundary) +
                list("Loading", parameter("Steps", "int", "10")) +
                list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
