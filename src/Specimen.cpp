@@ -60,6 +60,7 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   problem.particle_half_edge = specimen.particle_half_edge;
   problem.shape_functions = p.grid.shape_functions;
   problem.particle_domain = p.grid.particle_domain;
+  problem.dilatation = p.grid.dilatation;
   problem.reset = p.grid.reset;
   problem.deformation_gradient = p.grid.deformation_gradient;
   problem.stabilization = grid::stabilization(p.grid);

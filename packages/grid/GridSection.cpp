@@ -38,6 +38,13 @@ deck::Section<GridParameters> grid_section() {
       "Of GIMP and CPDI with Reset: the domain of a particle follows its deformation "
       "gradient, or stays as it was seeded.");
   section.choice(
+      "Dilatation", &GridParameters::dilatation,
+      {{"Pointwise", Dilatation::pointwise}, {"Element Mean", Dilatation::element_mean}},
+      "The change of volume that a particle resists: its own, or the mean over the particles of "
+      "its element. Element Mean keeps nearly incompressible materials (Poisson Ratio above 0.45 "
+      "or so) from locking, which makes them far too stiff. B-splines hardly lock: Pointwise is "
+      "the better choice for them (docs/theory.md).");
+  section.choice(
       "Deformation Gradient", &GridParameters::deformation_gradient,
       {{"Incremental", DeformationGradient::incremental},
        {"Projected Displacement", DeformationGradient::projected_displacement}},
@@ -56,6 +63,11 @@ deck::Section<GridParameters> grid_section() {
     if (!p.element_size && !p.elements)
       findings.add("Element Size [um]",
                    "missing; give it, or Elements (their number along x, y, z)");
+    if (p.dilatation == Dilatation::element_mean &&
+        p.deformation_gradient == DeformationGradient::projected_displacement)
+      findings.add("Dilatation",
+                   "\"Element Mean\" needs Deformation Gradient = \"Incremental\": the projected "
+                   "displacement knows no mean; admissible with it: \"Pointwise\"");
   });
   return section;
 }

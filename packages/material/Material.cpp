@@ -9,7 +9,7 @@ deck::Section<MaterialsParameters> materials_section() {
   material.required("Label", &MaterialParameters::label, deck::at_least(0),
                     "The label of the segmented image that is made of this material.");
   material.choice("Model", &MaterialParameters::model, {{"Neo-Hookean", Model::neo_hookean}},
-                  "Neo-Hookean: W = mu/2 (J^(-2/3) tr C - 3) + K/2 (ln J)^2.");
+                  "Neo-Hookean: W = mu/2 (J^(-2/3) tr C - 3) + U(J).");
   material.required("Shear Modulus [Pa]", &MaterialParameters::shear_modulus, deck::positive(),
                     "Shear modulus mu.");
   material.optional(
@@ -18,6 +18,11 @@ deck::Section<MaterialsParameters> materials_section() {
       "Bulk Modulus [Pa].");
   material.optional("Bulk Modulus [Pa]", &MaterialParameters::bulk_modulus, deck::positive(),
                     "Bulk modulus K, instead of Poisson Ratio.");
+  material.choice(
+      "Volumetric Energy", &MaterialParameters::volumetric_energy,
+      {{"Logarithmic", VolumetricEnergy::logarithmic}, {"Quadratic", VolumetricEnergy::quadratic}},
+      "U(J). Logarithmic: K/2 (ln J)^2. Quadratic: K/4 (J^2 - 1 - 2 ln J). The same in "
+      "small strain.");
   material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
                     "Mass density, for forces per mass and for Deformation Gradient = Projected "
                     "Displacement; there, materials without it count as equally dense.");
@@ -52,9 +57,10 @@ std::vector<NeoHookean> laws(const NamedMaterials& materials) {
   std::vector<NeoHookean> laws;
   for (const auto& named : materials) {
     const MaterialParameters& p = named.second;
-    laws.push_back({p.shear_modulus, p.bulk_modulus
-                                         ? *p.bulk_modulus
-                                         : bulk_modulus(p.shear_modulus, *p.poisson_ratio)});
+    laws.push_back(
+        {p.shear_modulus,
+         p.bulk_modulus ? *p.bulk_modulus : bulk_modulus(p.shear_modulus, *p.poisson_ratio),
+         p.volumetric_energy});
   }
   return laws;
 }

@@ -23,7 +23,8 @@ struct MaterialParameters {
   double shear_modulus = 0.0;           ///< mu [Pa], > 0
   std::optional<double> poisson_ratio;  ///< nu, in (-1, 1/2); either this
   std::optional<double> bulk_modulus;   ///< or K [Pa], > 0
-  std::optional<double> density;        ///< rho [kg/m^3], > 0; where forces per mass act
+  VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
+  std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
 };
 
 /// Materials as the user named and ordered them. A material's place in the list is its index.

@@ -194,7 +194,8 @@ MomentumBalance::Points MomentumBalance::points(const grid::Vector& u) const {
           halo_.gather(u),
           fictitious_volume_,
           {half_edge_[0], half_edge_[1], half_edge_[2]},
-          stretches_domains_};
+          stretches_domains_,
+          problem_.dilatation == grid::Dilatation::element_mean};
 }
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {

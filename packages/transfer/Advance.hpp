@@ -3,7 +3,7 @@
 /// \file
 /// Grid to particles: the displaced configuration becomes the base of the next step.
 
-#include "transfer/ElementParticles.hpp"
+#include "transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 
@@ -11,6 +11,7 @@ namespace stroma::transfer {
 ///
 ///     x_p += sum_I N_I U_I,   u_p += sum_I N_I U_I,   H_p = H_base + (f - I) + (f - I) H_base.
 ///
+/// the latter with the element's mean dilatation where that is asked for.
 /// Each particle is written by its own element alone: nothing is atomic. Source: docs/theory.md,
 /// eq. (T.15); the paper's equations 10, 11.
 template <class Shape, class Device>
@@ -22,14 +23,16 @@ struct Advance {
     double u[3][Shape::nodes];
     elements.gather(elements.displacement, i, j, k, u);
     const auto& before = elements.particles;
+    const MeanDilatation mean = mean_dilatation(elements, i, j, k);
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       const int p = point.p;
+      const Tensor3 H = with_mean_dilatation(elements, mean, point);
       for (int c = 0; c < 3; ++c) {
         double change = 0.0;
         for (int a = 0; a < Shape::nodes; ++a) change += point.value[a] * u[c][a];
         moved.position(p, c) = before.position(p, c) + change;
         moved.base_displacement(p, c) = before.base_displacement(p, c) + change;
-        for (int d = 0; d < 3; ++d) moved.base_gradient(p, c, d) = point.H(c, d);
+        for (int d = 0; d < 3; ++d) moved.base_gradient(p, c, d) = H(c, d);
       }
     });
   }

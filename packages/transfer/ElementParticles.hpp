@@ -51,6 +51,7 @@ struct PointSet {
   Kokkos::View<const float*, Device> fictitious_volume = {};
   double half_edge[3] = {0.0, 0.0, 0.0};  ///< of the particles' domains, as seeded [um]
   bool stretches_domains = true;          ///< domains are F times as seeded
+  bool averages_dilatation = false;       ///< over each element (MeanDilatation.hpp)
 };
 
 /// Particles and displaced nodes of a rank, element by element.
@@ -79,6 +80,7 @@ struct ElementParticles : PointSet<Device> {
   using PointSet<Device>::fictitious_volume;
   using PointSet<Device>::half_edge;
   using PointSet<Device>::stretches_domains;
+  using PointSet<Device>::averages_dilatation;
 
   /// Fictitious points of an element that has some: a regular pattern, as many per direction as
   /// there are functions.
@@ -97,6 +99,19 @@ struct ElementParticles : PointSet<Device> {
   KOKKOS_INLINE_FUNCTION int node_of(int i, int j, int k, int a) const {
     constexpr int w = Shape::width;
     return box.node(i + a % w, j + a / w % w, k + a / (w * w));
+  }
+
+  /// H_base of a particle, which must have one.
+  KOKKOS_INLINE_FUNCTION Tensor3 base_gradient(int p) const {
+    Tensor3 base;
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d) base(c, d) = particles.base_gradient(p, c, d);
+    return base;
+  }
+
+  /// J_base - 1 of a particle [-].
+  KOKKOS_INLINE_FUNCTION double base_jacobian_minus_one(int p) const {
+    return particles.base_gradient.extent(0) == 0 ? 0.0 : tensor::det_minus_one(base_gradient(p));
   }
 
   /// Calls visit(ParticlePoint) for each particle of element (i, j, k); counts in `bad` those that
@@ -214,9 +229,7 @@ struct ElementParticles : PointSet<Device> {
     const Tensor3 G = move(place, u, point);
     point.H = G;
     if (particles.base_gradient.extent(0) == 0) return;
-    Tensor3 base;
-    for (int c = 0; c < 3; ++c)
-      for (int d = 0; d < 3; ++d) base(c, d) = particles.base_gradient(p, c, d);
+    const Tensor3 base = base_gradient(p);
     point.H = base + G + G * base;
   }
 

@@ -4,7 +4,7 @@
 /// Grid to particles: displacement, stress and energy of each particle at the current
 /// configuration.
 
-#include "transfer/ElementParticles.hpp"
+#include "transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 
@@ -26,7 +26,8 @@ struct ParticleFields {
 };
 
 /// Fills ParticleFields, whose entry 0 is the particle `first`: u_p = u_base + sum_I N_I U_I, and
-/// the law at H. Each particle is written by its own element alone: nothing is atomic.
+/// the law at H, with the element's mean dilatation where that is asked for. Each particle is
+/// written by its own element alone: nothing is atomic.
 template <class Shape, class Law, class Device>
 struct GridToParticles {
   ElementParticles<Shape, Device> elements;
@@ -37,6 +38,7 @@ struct GridToParticles {
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double u[3][Shape::nodes];
     elements.gather(elements.displacement, i, j, k, u);
+    const MeanDilatation mean = mean_dilatation(elements, i, j, k);
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       const int p = point.p;
       const bool has_base = elements.particles.base_displacement.extent(0) != 0;
@@ -46,12 +48,13 @@ struct GridToParticles {
         fields.displacement(p - first, c) = sum;
       }
       const Law& material = law(point.material);
-      const Tensor3 sigma = material.cauchy_stress(point.H);
+      const Tensor3 H = with_mean_dilatation(elements, mean, point);
+      const Tensor3 sigma = material.cauchy_stress(H);
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};
       for (int c = 0; c < 6; ++c) fields.stress(p - first, c) = components[c];
-      fields.jacobian(p - first) = 1.0 + tensor::det_minus_one(point.H);
-      fields.energy(p - first) = material.energy(point.H);
+      fields.jacobian(p - first) = 1.0 + tensor::det_minus_one(H);
+      fields.energy(p - first) = material.energy(H);
     });
   }
 };

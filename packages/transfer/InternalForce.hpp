@@ -3,8 +3,7 @@
 /// \file
 /// Particles to grid: the internal force at the nodes, and its directional derivative.
 
-#include "material/NeoHookean.hpp"
-#include "transfer/ElementParticles.hpp"
+#include "transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 
@@ -23,8 +22,7 @@ struct InternalForce {
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double f[3][Shape::nodes] = {};
-    elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-      const Tensor3 tau = law(point.material).kirchhoff_stress(point.H);
+    for_each_stress(elements, law, i, j, k, bad, [&](const auto& point, const Tensor3& tau) {
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a)
           f[c][a] +=
@@ -54,10 +52,8 @@ struct TangentTimes {
     double v[3][Shape::nodes];
     elements.gather(direction, i, j, k, v);
     double f[3][Shape::nodes] = {};
-    elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-      Tensor3 tau;
-      material::Tensor4 tangent;
-      law(point.material).stress_and_tangent(point.H, tau, tangent);
+    for_each_tangent(elements, law, i, j, k, bad, [&](const auto& point, const auto& a_of_point) {
+      const material::Tensor4 tangent = a_of_point.in_full();
       Tensor3 D;
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)

@@ -3,8 +3,7 @@
 /// \file
 /// Particles to grid: the tangent (stiffness) matrix.
 
-#include "material/NeoHookean.hpp"
-#include "transfer/ElementParticles.hpp"
+#include "transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 
@@ -125,8 +124,8 @@ struct Tangent {
       return;
     Blocks blocks;
     Batch batch;
-    elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-      batch.add(point, law(point.material).isotropic_tangent(point.H));
+    for_each_tangent(elements, law, i, j, k, bad, [&](const auto& point, const auto& tangent) {
+      batch.add(point, tangent);
       if (batch.count == Batch::size) batch.add_blocks(blocks.K);
     });
     batch.add_blocks(blocks.K);

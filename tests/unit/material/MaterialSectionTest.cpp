@@ -26,12 +26,15 @@ TEST(Material, LawsAndLabelsKeepTheUsersOrder) {
   vessel.label = 0;
   vessel.shear_modulus = 1041.6;
   vessel.bulk_modulus = 9000.0;
+  vessel.volumetric_energy = VolumetricEnergy::quadratic;
   const NamedMaterials materials{{"collagen", collagen}, {"vessel", vessel}};
   const auto of_material = laws(materials);
   ASSERT_EQ(of_material.size(), 2u);
   EXPECT_NEAR(of_material[0].bulk_modulus, 2430.4, 1e-10);
   EXPECT_EQ(of_material[1].bulk_modulus, 9000.0);
   EXPECT_EQ(of_material[1].shear_modulus, 1041.6);
+  EXPECT_EQ(of_material[0].volumetric_energy, VolumetricEnergy::logarithmic);
+  EXPECT_EQ(of_material[1].volumetric_energy, VolumetricEnergy::quadratic);
   const auto index = material_of_label(materials);
   EXPECT_EQ(index.at(4), 0);
   EXPECT_EQ(index.at(0), 1);

@@ -89,7 +89,7 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
   };
   const auto material = [&](const char* label, const char* mu) {
     return parameter("Label", "int", label) + parameter("Shear Modulus [Pa]", "double", mu) +
-           parameter("Poisson Ratio", "double", "0.4");
+           parameter("Poisson Ratio", "double", name_.front() == 'F' ? "0.495" : "0.4");
   };
   const bool gauss = json_.at("quadrature").at("name") == "gauss2";
   std::string boundary;
@@ -99,25 +99,26 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
                                          condition.load);
   return folder.write(
       name_ + ".xml",
-      list(
-          "Stroma",
-          list("Image",
-               parameter("File", "string", "labels.tif") +
-                   parameter("Voxel Size [um]", "Array(double)", sized(element_size_, 0.5)) +
-                   list("Segmentation", parameter("Method", "string", "Labels"))) +
-              list("Materials", list("collagen", material("0", "520.8")) +
-                                    list("vessel", material("1", "1041.6"))) +
-              list("Particles", parameter("Layout", "string", gauss ? "Gauss" : "Voxel Centers")) +
-              list("Grid",
-                   parameter("Element Size [um]", "Array(double)", sized(element_size_, 1.0)) +
-                       parameter("Plane Strain", "bool", name_.front() == 'D' ? "true" : "false")) +
-              list("Boundary Conditions", boundary) +
-              list("Loading", parameter("Steps", "int", "10")) +
-              list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
-                                 parameter("Linear Tolerance", "double", "1e-8") +
-                                 parameter("Preconditioner", "string", "Jacobi")) +
-              list("Output", parameter("Particles Every", "int", "0") +
-                                 parameter("Grid Every", "int", "0"))));
+      list("Stroma",
+           list("Image",
+                parameter("File", "string", "labels.tif") +
+                    parameter("Voxel Size [um]", "Array(double)", sized(element_size_, 0.5)) +
+                    list("Segmentation", parameter("Method", "string", "Labels"))) +
+               list("Materials", list("collagen", material("0", "520.8")) +
+                                     list("vessel", material("1", "1041.6"))) +
+               list("Particles", parameter("Layout", "string", gauss ? "Gauss" : "Voxel Centers")) +
+               list("Grid",
+                    parameter("Element Size [um]", "Array(double)", sized(element_size_, 1.0)) +
+                        parameter("Plane Strain", "bool", name_.front() == 'D' ? "true" : "false") +
+                        parameter("Dilatation", "string",
+                                  has_mean_dilatation() ? "Element Mean" : "Pointwise")) +
+               list("Boundary Conditions", boundary) +
+               list("Loading", parameter("Steps", "int", "10")) +
+               list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
+                                  parameter("Linear Tolerance", "double", "1e-8") +
+                                  parameter("Preconditioner", "string", "Jacobi")) +
+               list("Output", parameter("Particles Every", "int", "0") +
+                                  parameter("Grid Every", "int", "0"))));
 }
 
 }  // namespace stroma::test

@@ -31,6 +31,8 @@ class ReferenceCase {
   /// \return the deck
   fs::path write_deck(const TemporaryFolder& folder) const;
 
+  /// Whether its elements have one dilatation each (Q1/P0).
+  bool has_mean_dilatation() const { return name_.find("q1p0") != std::string::npos; }
   const std::vector<CaseCondition>& conditions() const { return conditions_; }
   const nlohmann::json& results() const { return json_.at("results"); }
   std::array<std::int64_t, 3> elements() const { return elements_; }
