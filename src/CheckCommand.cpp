@@ -87,12 +87,16 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
   const double results =
       deck.parameters.grid.reset ? 2.0 * 88.0 * particles : 88.0 * particles / layers;
   const auto kind = deck.parameters.solver.preconditioner;
-  const bool is_stencil = kind == solver::PreconditionerKind::geometric_multigrid;
+  const grid::Grid& grid = specimen.partition.grid();
+  const bool is_geometric = kind == solver::PreconditionerKind::geometric_multigrid;
+  const bool is_stencil = is_geometric && grid.width == 2;
   const double stencil = 504.0 * nodes;
-  const double matrix = is_stencil ? stencil + 48.0 * nodes : (81.0 * 3.0 * 12.0 + 27.0) * nodes;
+  const double blocks = std::pow(2.0 * grid.width - 1.0, grid.flat ? 2.0 : 3.0);  // of a row
+  const double matrix = is_stencil ? stencil + 48.0 * nodes : (9.0 * 12.0 + 2.0) * blocks * nodes;
   const double vectors = 20.0 * 24.0 * nodes;
   double hierarchy = 0.0;
-  if (is_stencil) hierarchy = stencil / 7.0 + 8.0 / 7.0 * 72.0 * nodes;
+  if (is_geometric) hierarchy = stencil / 7.0 + 8.0 / 7.0 * 72.0 * nodes;
+  if (is_geometric && !is_stencil) hierarchy += stencil + 48.0 * nodes + 6.0 * 24.0 * nodes;
   if (kind == solver::PreconditionerKind::multigrid) hierarchy = 1.6 * matrix;
   const double total = state + results + matrix + vectors + hierarchy;
   const double gib = 1.0 / (1024.0 * 1024.0 * 1024.0);

@@ -40,8 +40,10 @@ Traffic rows_product_traffic(const Partition& partition, int rank) {
   const Index3 here{rank % px, rank / px % py, rank / (px * py)};
   const Box own = partition.owned_nodes(rank);
   Traffic traffic;
-  // Every box of elements is at least one element thick: nobody's stencils reach beyond the next.
-  for_each_index(Box{{-1, -1, -1}, {2, 2, 2}}, [&](const Index3& step) {
+  // Every box of elements is at least one element thick: nobody's stencils reach further than that.
+  const std::int64_t reach = partition.grid().width - 1;
+  const Box steps{{-reach, -reach, -reach}, {reach + 1, reach + 1, reach + 1}};
+  for_each_index(steps, [&](const Index3& step) {
     Index3 there;
     for (int d = 0; d < 3; ++d) there[d] = here[d] + step[d];
     if (!Box{{0, 0, 0}, {px, py, pz}}.contains(there) || there == here) return;
@@ -49,8 +51,8 @@ Traffic rows_product_traffic(const Partition& partition, int rank) {
         partition.owned_nodes(static_cast<int>(there[0] + px * (there[1] + py * there[2])));
     Box wanted;
     for (int d = 0; d < 3; ++d) {
-      wanted.begin[d] = std::max(own.begin[d], theirs.begin[d] - 1);
-      wanted.end[d] = std::min(own.end[d], theirs.end[d] + 1);
+      wanted.begin[d] = std::max(own.begin[d], theirs.begin[d] - reach);
+      wanted.end[d] = std::min(own.end[d], theirs.end[d] + reach);
     }
     if (wanted.count() == 0) return;
     ++traffic.neighbours;

@@ -9,6 +9,7 @@
 
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
+#include "grid/ShapeGrid.hpp"
 #include "grid/ToDevice.hpp"
 #include "mechanics/BoundaryPoints.hpp"
 #include "particles/Migration.hpp"
@@ -17,6 +18,20 @@
 
 namespace stroma::mechanics {
 namespace {
+
+/// Refuses a grid or particles that the shape functions cannot work with.
+void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
+  const grid::Grid needed = grid::grid_for(problem.shape_functions, problem.body);
+  if (grid.width != needed.width || grid.centered != needed.centered)
+    throw base::InputError(
+        "the partition's grid is not the one for the problem's shape functions; admissible: one "
+        "made by grid::partition_for()");
+  for (int d = 0; d < (grid.flat ? 2 : 3) && grid.centered; ++d)
+    if (!(problem.particle_half_edge[static_cast<std::size_t>(d)] > 0.0))
+      throw base::InputError(
+          "these shape functions average over the particles' domains; admissible: a positive "
+          "Problem::particle_half_edge along each axis");
+}
 
 transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
   const grid::Grid& grid = partition.grid();
@@ -93,6 +108,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       stretches_domains_(problem.particle_domain == grid::ParticleDomain::stretched),
       base_load_(base_load),
       load_(base_load) {
+  check_shape_functions(problem, partition.grid());
   double stiffest = 0.0;
   for (const Law& law : problem.laws)
     stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
