@@ -16,7 +16,7 @@ deck::Section<ExternalForcesParameters> external_forces_section() {
   force.optional(
       "Traction [Pa]", &ExternalForce::traction, deck::any(),
       "Force per area of the undeformed Face at full load, x, y, z; it keeps its direction. "
-      "The outermost particles carry it.");
+      "It acts at the points of the face beside the outermost particles.");
   force.choice("Face", &ExternalForce::face,
                {{"x-", Face::x_lower},
                 {"x+", Face::x_upper},

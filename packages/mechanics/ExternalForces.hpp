@@ -33,8 +33,8 @@ struct ExternalForcesParameters {
 
 deck::Section<ExternalForcesParameters> external_forces_section();
 
-/// The forces as kernels want them, at full load. A traction is carried by the particles next to
-/// the face, one layer of them: t per area is t / s per volume, s their distance across the face.
+/// The forces as kernels want them, at full load. A traction acts at points of the face beside the
+/// outermost layer of particles: t per area is t / s per volume, s their distance across the face.
 ///
 /// \param body     the grid at load 0, which fills the body's box
 /// \param spacing  distance of neighbouring particles at load 0 [um]; only tractions need it

@@ -126,7 +126,7 @@ class MomentumBalance {
   /// Lets particles that track their displacement keep it when the nodes' displacement since an
   /// undeformed base is replaced by another.
   void replace_displacement(const grid::Vector& old, const grid::Vector& now);
-  /// The (movable) particles at the displaced configuration, in the same order.
+  /// The particles at the displaced configuration, in the same order.
   particles::Particles<Device> moved_particles(const grid::Vector& u) const;
 
   /// Results at this rank's particles.

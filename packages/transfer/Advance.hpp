@@ -31,7 +31,9 @@ struct Advance {
         double change = 0.0;
         for (int a = 0; a < Shape::nodes; ++a) change += point.value[a] * u[c][a];
         moved.position(p, c) = before.position(p, c) + change;
-        moved.base_displacement(p, c) = before.base_displacement(p, c) + change;
+        moved.base_displacement(p, c) =
+            change +
+            (before.base_displacement.extent(0) != 0 ? before.base_displacement(p, c) : 0.0);
         for (int d = 0; d < 3; ++d) moved.base_gradient(p, c, d) = H(c, d);
       }
     });
