@@ -113,6 +113,9 @@ class MomentumBalance {
   /// Size of the forces [pN] to which a residual is compared: the largest of the Euclidean norms of
   /// the reactions, of the springs' and of the external force.
   double force_scale(const grid::Vector& u, const grid::Vector& unbalanced_force) const;
+  /// How many times stiffer than an element the springs of conditions imposed by penalty are; 1
+  /// without any. Their residual tells so much less of the body's.
+  double spring_contrast() const { return stiffest_diagonal_ / typical_diagonal_; }
   /// How far rounding alone puts the residual from zero at a displacement [pN].
   double rounding(const grid::Vector& u) const;
 

@@ -91,11 +91,15 @@ void NewtonSolver::choose_forcing() {
   const double goal = nonlinear_error < parameters_.newton_tolerance
                           ? 0.01 * parameters_.newton_tolerance
                           : 0.1 * nonlinear_error;
-  constexpr double loosest = 1e-3;
+  const double loosest = loosest_forcing();
   last_forcing_ =
       now > 0.0 ? std::max(std::min(goal / now, loosest), parameters_.linear_tolerance) : loosest;
   linear_solver_->set_forcing(last_forcing_);
 }
+
+/// A linear solve leaves this share of its residual at most. Where springs are pulled, theirs is
+/// nearly all of it: the body's part must be solved as well.
+double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->spring_contrast(); }
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   residual_history_.clear();
@@ -157,7 +161,7 @@ void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_chang
   rhs.update(-1.0, r, -1.0);
   balance_->supports().clear(rhs);
   // The residual that the predictor leaves is nonlinear; Newton's first step sees to the rest.
-  linear_solver_->set_forcing(parameters_.forcing == Forcing::constant ? 0.0 : 1e-3);
+  linear_solver_->set_forcing(parameters_.forcing == Forcing::constant ? 0.0 : loosest_forcing());
   linear_solver_->solve(rhs, du, parameters_.linear_tolerance);
   u.update(1.0, du, 1.0, prescribed_change, 1.0);
 }

@@ -56,6 +56,7 @@ class NewtonSolver {
   std::unique_ptr<LinearSolver> linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
   void choose_forcing();
+  double loosest_forcing() const;
 
   long long reported_iterations_ = 0;
   /// ||residual|| after an exact Newton step / that before^2, both relative to the forces.
