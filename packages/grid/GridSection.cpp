@@ -42,8 +42,8 @@ deck::Section<GridParameters> grid_section() {
       {{"Pointwise", Dilatation::pointwise}, {"Element Mean", Dilatation::element_mean}},
       "The change of volume that a particle resists: its own, or the mean over the particles of "
       "its element. Element Mean keeps nearly incompressible materials (Poisson Ratio above 0.45 "
-      "or so) from locking, which makes them far too stiff. B-splines hardly lock: Pointwise is "
-      "the better choice for them (docs/theory.md).");
+      "or so) from locking, which makes them far too stiff; B-splines lock little without it "
+      "(docs/theory.md).");
   section.choice(
       "Deformation Gradient", &GridParameters::deformation_gradient,
       {{"Incremental", DeformationGradient::incremental},
