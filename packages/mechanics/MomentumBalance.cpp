@@ -294,10 +294,12 @@ std::unique_ptr<MomentumBalance> MomentumBalance::with_hats(const grid::Partitio
   Problem problem = problem_;
   problem.shape_functions = grid::ShapeFunctions::linear;
   const bool has_other_elements = halo_.partition().grid().centered;
-  return std::make_unique<MomentumBalance>(
+  auto hats = std::make_unique<MomentumBalance>(
       communicator_, lattice,
       has_other_elements ? particles::migrate(communicator_, lattice, particles_) : particles_,
       problem, base_load_);
+  hats->boundary_.lumped = true;
+  return hats;
 }
 
 void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v,

@@ -98,7 +98,8 @@ class MomentumBalance {
   const grid::RCP<const grid::Vector>& linearization_point() const { return linearized_at_; }
 
   /// The same body, conditions and base with hats on the lattice under the shape functions: what
-  /// multigrid coarsens from. Collective.
+  /// multigrid coarsens from. Springs are lumped, for a field of hats that satisfies theirs does
+  /// not satisfy those of wider functions. Collective.
   std::unique_ptr<MomentumBalance> with_hats(const grid::Partition& lattice) const;
 
   /// External force at full load [pN], at all owned unknowns; null if there is none.

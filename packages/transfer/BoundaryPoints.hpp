@@ -23,6 +23,7 @@ template <class Device>
 struct BoundaryPointSet {
   Kokkos::View<const BoundaryPoint*, Device> point;
   Kokkos::View<const int*, Device> element_begin;  ///< (elements + 1), as for particles
+  bool lumped = false;  ///< the tangent is replaced by a diagonal one that is no softer
 
   bool empty() const { return point.extent(0) == 0; }
 };
@@ -112,7 +113,9 @@ struct BoundaryGaps {
 ///
 ///     K_IcJc = sum_b k (N_I + grad_x N_I . F r) (N_J + grad_x N_J . F r)       [pN/um]
 ///
-/// for each prescribed component c. Source: docs/theory.md, eq. (T.32).
+/// for each prescribed component c; or, lumped, the diagonal sum_b k |w_I| sum_J |w_J| with
+/// w = N + grad_x N . F r, whose energy is as large or larger in every direction. Source:
+/// docs/theory.md, eq. (T.32).
 template <class Shape, class Device, class Rows>
 struct SpringTangent {
   ElementParticles<Shape, Device> elements;
@@ -128,11 +131,20 @@ struct SpringTangent {
         elements, boundary, i, j, k,
         [&](int, const BoundaryPoint& b, const ParticlePoint<Shape>&,
             const double(&)[3][Shape::nodes], const double(&carried)[Shape::nodes]) {
-          for (int a = 0; a < Shape::nodes; ++a)
-            for (int c = 0; c < 3; ++c)
-              for (int m = 0; m < Shape::nodes && (b.components >> c & 1); ++m)
-                blocks.K[a][c][c][m] +=
-                    static_cast<typename Blocks::Real>(b.spring * carried[a] * carried[m]);
+          using Real = typename Blocks::Real;
+          double all = 0.0;
+          for (int a = 0; a < Shape::nodes; ++a) all += fabs(carried[a]);
+          for (int c = 0; c < 3; ++c) {
+            if (!(b.components >> c & 1)) continue;
+            for (int a = 0; a < Shape::nodes; ++a) {
+              if (boundary.lumped) {
+                blocks.K[a][c][c][a] += static_cast<Real>(b.spring * fabs(carried[a]) * all);
+                continue;
+              }
+              for (int m = 0; m < Shape::nodes; ++m)
+                blocks.K[a][c][c][m] += static_cast<Real>(b.spring * carried[a] * carried[m]);
+            }
+          }
         });
     blocks.add_to(rows, elements, i, j, k);
   }
