@@ -50,12 +50,11 @@ void for_each_index(const Box& box, const Function& f) {
 /// it carries, is called a node, wherever it lies:
 ///
 /// - hats (width 2): at the corners of elements, origin + f * spacing;
-/// - B-splines of degree p = width - 1 with open knots: at the Greville points, where the
-///   coefficients of a linear field are its values,
-///       origin + spacing / p * sum_(k = 1..p) clamp(f - p + k, 0, elements);
-/// - hats averaged over the domains of particles (width 3): each element is centred at a node of
-/// the
-///   lattice, and function f lies at the centre of element f - 1, origin + (f - 1/2) * spacing.
+/// - averaged B-splines of degree p = width - 2 (p = 1: hats): each element is centred at a knot, a
+///   node of the lattice. Function f is the (f - 1)th of the open knots and lies at its Greville
+///   point, where the coefficient of a linear field is the field's value,
+///       origin + spacing * (1/2 + 1/p sum_(k = 1..p) clamp(f - 1 - p + k, 0, elements - 1)).
+///   The first and the last f stand for no function; no particle touches them.
 struct Grid {
   Index3 elements{1, 1, 1};                      ///< elements per direction
   std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< lower corner of element (0, 0, 0) [um]
@@ -85,12 +84,12 @@ struct Grid {
   /// Where node f lies along d, in elements from the origin.
   double node_place(int d, std::int64_t f) const {
     if (flat && d == 2) return 0.0;
-    if (centered) return static_cast<double>(f) - 0.5;
-    const int degree = width - 1;
+    if (!centered) return static_cast<double>(f);
+    const int degree = width - 2;
     std::int64_t sum = 0;
     for (int k = 1; k <= degree; ++k)
-      sum += std::clamp<std::int64_t>(f - degree + k, 0, elements[d]);
-    return static_cast<double>(sum) / degree;
+      sum += std::clamp<std::int64_t>(f - 1 - degree + k, 0, elements[d] - 1);
+    return 0.5 + static_cast<double>(sum) / degree;
   }
 };
 

@@ -1,21 +1,23 @@
 #include "grid/ShapeGrid.hpp"
 
+#include <stdexcept>
+
 namespace stroma::grid {
 namespace {
-
-bool is_centered(ShapeFunctions shape_functions) {
-  return shape_functions == ShapeFunctions::gimp || shape_functions == ShapeFunctions::cpdi;
-}
 
 int width(ShapeFunctions shape_functions) {
   switch (shape_functions) {
     case ShapeFunctions::linear:
       return 2;
-    case ShapeFunctions::cubic_b_spline:
-      return 4;
-    default:
+    case ShapeFunctions::gimp:
+    case ShapeFunctions::cpdi:
       return 3;
+    case ShapeFunctions::quadratic_b_spline:
+      return 4;
+    case ShapeFunctions::cubic_b_spline:
+      return 5;
   }
+  throw std::logic_error("unknown shape functions");
 }
 
 }  // namespace
@@ -23,7 +25,7 @@ int width(ShapeFunctions shape_functions) {
 Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice) {
   Grid grid = lattice;
   grid.width = width(shape_functions);
-  grid.centered = is_centered(shape_functions);
+  grid.centered = shape_functions != ShapeFunctions::linear;
   if (!grid.centered) return grid;
   for (int d = 0; d < (grid.flat ? 2 : 3); ++d) {
     grid.origin[d] -= 0.5 * grid.spacing[d];

@@ -8,17 +8,15 @@
 
 namespace stroma::grid {
 
-/// The grid for a kind of shape functions over the elements of a lattice. For GIMP and CPDI the
+/// The grid for a kind of shape functions over the elements of a lattice. For all but hats the
 /// elements are those centred at the lattice's nodes: a particle whose domain is no larger than an
-/// element then touches the node in the middle and its neighbours alone.
+/// element then reaches into the two spans beside the node in the middle, and no further.
 Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice);
 
 /// The same, dealt to the ranks with the cuts of a partition of the lattice.
 Partition partition_for(ShapeFunctions shape_functions, const Partition& lattice);
 
-/// The lattice whose hats span what a grid of wider functions covers, dealt with the same cuts. It
-/// has a node at the place of each function that is centred at one; under B-splines it has the
-/// elements of their grid.
+/// The lattice whose hats span what a grid of wider functions covers, dealt with the same cuts.
 Partition lattice_under(const Partition& partition);
 
 }  // namespace stroma::grid

@@ -1,5 +1,5 @@
 #include "mechanics/KernelsOf.hpp"
-#include "shape/Gimp.hpp"
+#include "shape/BSpline.hpp"
 
 namespace stroma::mechanics {
 

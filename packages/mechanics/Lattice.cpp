@@ -15,25 +15,29 @@ namespace {
 /// Indices along one axis, each with its weight.
 using Weights = std::vector<std::pair<std::int64_t, double>>;
 
+/// The averaged B-splines' own values at a node of the lattice, which has one more node than the
+/// grid has knots at either end.
 template <int Degree>
 Weights b_splines_at(const grid::Grid& grid, int d, std::int64_t node) {
+  const auto elements = static_cast<int>(grid.elements[d]);
+  const int knot = static_cast<int>(node) - 1;
   shape::Place place{};
-  place.element[d] = static_cast<int>(std::min(node, grid.elements[d] - 1));
-  place.elements[d] = static_cast<int>(grid.elements[d]);
-  place.xi[d] = static_cast<double>(node - place.element[d]);
-  double value[Degree + 1], slope[Degree + 1];
-  shape::BSplineAxis<Degree>::evaluate(place, d, value, slope);
+  place.element[d] = std::clamp(knot, 0, elements - 1);
+  place.elements[d] = elements;
+  double value[Degree + 2];
+  shape::BSplineAxis<Degree>::at(place, d, knot - place.element[d], value);
   Weights weights;
-  for (int f = 0; f <= Degree; ++f)
+  for (int f = 0; f < Degree + 2; ++f)
     if (value[f] != 0.0) weights.emplace_back(place.element[d] + f, value[f]);
   return weights;
 }
 
 /// The functions that are not zero at a node of the lattice, along d.
 Weights functions_at(const grid::Grid& grid, int d, std::int64_t node) {
-  if (grid.beyond(d) == 0 || grid.centered || grid.width == 2) return {{node, 1.0}};
-  if (grid.width == 3) return b_splines_at<2>(grid, d, node);
-  if (grid.width == 4) return b_splines_at<3>(grid, d, node);
+  if (grid.beyond(d) == 0 || !grid.centered) return {{node, 1.0}};
+  if (grid.width == 3) return b_splines_at<1>(grid, d, node);
+  if (grid.width == 4) return b_splines_at<2>(grid, d, node);
+  if (grid.width == 5) return b_splines_at<3>(grid, d, node);
   throw std::logic_error("shape functions of unknown width");
 }
 

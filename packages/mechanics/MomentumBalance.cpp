@@ -24,6 +24,7 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
   transfer::ElementBox box;
   box.flat = grid.flat;
   box.beyond = grid.width - 1;
+  box.centered = grid.centered;
   for (int d = 0; d < 3; ++d) {
     box.elements[d] = static_cast<int>(elements.extent(d));
     box.first[d] = static_cast<int>(elements.begin[d]);
@@ -138,9 +139,9 @@ Supports::NodeCounts MomentumBalance::elements_around(
 
 void MomentumBalance::find_fictitious_points(double stabilization) {
   const std::size_t count = particles_.element_begin.extent(0) - 1;
-  const double element_volume = box_.spacing[0] * box_.spacing[1] * box_.spacing[2];
   Kokkos::View<float*, Device> volume("fictitious volume", count);
   const auto particles = particles_;
+  const transfer::ElementBox box = box_;
   const double count_of_element = kernels_->fictitious_points();
   std::int64_t found = 0;
   Kokkos::parallel_reduce(
@@ -153,6 +154,14 @@ void MomentumBalance::find_fictitious_points(double stabilization) {
             for (int c = 0; c < 3; ++c)
               for (int d = 0; d < 3; ++d) H(c, d) = particles.base_gradient(p, c, d);
           filled += particles.volume(p) * (1.0 + tensor::det_minus_one(H));
+        }
+        const int index[3] = {e % box.elements[0], e / box.elements[0] % box.elements[1],
+                              e / (box.elements[0] * box.elements[1])};
+        double element_volume = 1.0;
+        for (int d = 0; d < 3; ++d) {
+          double lower, upper;
+          box.within_ends(d, index[d], lower, upper);
+          element_volume *= (upper - lower) * box.spacing[d];
         }
         if (!(filled > 0.0 && filled < 0.5 * element_volume)) return;
         volume(e) =

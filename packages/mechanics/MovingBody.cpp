@@ -1,5 +1,6 @@
 #include "mechanics/MovingBody.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "base/Error.hpp"
@@ -24,6 +25,27 @@ particles::Particles<grid::Device> start_of(const base::Communicator& communicat
   return particles;
 }
 
+/// The grid that covers the particles. Its last knot lies where particles end, to half an element,
+/// but for a plane that is held at its nodes: that has a knot.
+grid::Grid grid_under(const base::Communicator& communicator, const Problem& problem,
+                      const particles::Particles<grid::Device>& particles) {
+  grid::Grid grid = particles::covering_grid(
+      communicator, grid::grid_for(problem.shape_functions, problem.body), particles);
+  for (const auto& named : problem.conditions) {
+    const BoundaryCondition& condition = named.second;
+    if (!grid.centered || problem.imposed_by(condition) != ImposedBy::nodes) continue;
+    const int d = axis_of(*condition.face);
+    if (d < 0 || grid.beyond(d) == 0) continue;
+    const auto i = static_cast<std::size_t>(d);
+    const double plane =
+        problem.body.origin[i] + (is_upper(*condition.face) ? problem.body.length(d) : 0.0);
+    const std::int64_t knot = std::llround((plane - grid.origin[i]) / grid.spacing[i] - 0.5);
+    if (knot == -1) grid.origin[i] -= grid.spacing[i];
+    if (knot == -1 || knot == grid.elements[i]) ++grid.elements[i];
+  }
+  return grid;
+}
+
 }  // namespace
 
 MovingBody::MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
@@ -45,8 +67,7 @@ bool MovingBody::begin_step() {
 void MovingBody::reset_grid() {
   const base::Stage stage("grid reset");
   auto moved = balance_->moved_particles(*displacement_);
-  const grid::Grid grid = particles::covering_grid(
-      communicator_, grid::grid_for(problem_.shape_functions, problem_.body), moved);
+  const grid::Grid grid = grid_under(communicator_, problem_, moved);
   const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
   moved = particles::migrate(communicator_, partition, moved);
   try {

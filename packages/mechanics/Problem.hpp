@@ -26,7 +26,7 @@ struct Problem {
   std::function<std::array<double, 3>(const std::array<double, 3>& X)> body_force = {};
   std::vector<double> density;               ///< of each material [kg/m^3]; empty: all alike
   std::array<double, 3> particle_spacing{};  ///< at load 0 [um]; only tractions need it
-  /// Half the edges of a particle's domain at load 0 [um]; only GIMP and CPDI need it.
+  /// Half the edges of a particle's domain at load 0 [um]; hats do without.
   std::array<double, 3> particle_half_edge{};
 
   bool reset = false;  ///< the grid returns to its lattice after each step

@@ -165,6 +165,7 @@ grid::Grid covering_grid(const base::Communicator& communicator, const grid::Gri
     const std::int64_t first = element_along(body, d, lowest);
     grid.origin[d] = body.origin[d] + static_cast<double>(first) * body.spacing[d];
     grid.elements[d] = element_along(body, d, highest) - first + 1;
+    if (grid.centered && grid.elements[d] == 1) grid.elements[d] = 2;
   }
   return grid;
 }

@@ -17,7 +17,7 @@ void make_movable(const base::Communicator& communicator, Particles<grid::Device
 /// The smallest box of elements of a lattice that holds the particles of all ranks. The lattice is
 /// that of `body`, continued without end in each direction; so the grid follows the body wherever
 /// it goes. A particle on the face between two elements belongs to the upper one. Plane strain
-/// keeps its one layer. Collective.
+/// keeps its one layer; of elements that are centred at knots there are two at least. Collective.
 ///
 /// \throws base::RunError when the body is spread so far (over 64 times the elements of `body`)
 ///         that a particle must have got lost

@@ -3,7 +3,7 @@
 /// \file
 /// The convected particle domain interpolation's functions (CPDI).
 
-#include "shape/Gimp.hpp"
+#include "shape/BSpline.hpp"
 
 namespace stroma::shape {
 
@@ -14,8 +14,8 @@ namespace stroma::shape {
 ///     N_I = 1/C sum_c hat_I(x_c),     grad N_I = 1/C sum_c hat_I(x_c) sum_k s_ck d_k,     C =
 ///     2^dimensions.
 ///
-/// Elements are centred at nodes, as for GIMP; a domain that reaches further than half an element
-/// along an axis is scaled down.
+/// Elements are centred at nodes and hats go on beyond the ends of the grid, as for GIMP; a domain
+/// that reaches further than half an element along an axis is scaled down.
 ///
 /// Source: Sadeghirad, Brannon, Burghardt, Int. J. Numer. Methods Engrg. 86 (2011) 1435;
 /// docs/theory.md, eq. (T.35).
@@ -25,7 +25,7 @@ struct Cpdi {
   static constexpr int dimensions = Dimensions;
   static constexpr int layers = Dimensions == 3 ? width : 1;
   static constexpr int nodes = width * width * layers;
-  static constexpr bool knows_ends = false;
+  static constexpr bool knows_ends = true;
   static constexpr bool has_domain = true;
 
   KOKKOS_INLINE_FUNCTION static void evaluate(const Place& place, double N[nodes],
@@ -47,7 +47,7 @@ struct Cpdi {
           x += sign * r[k][d];
           weight[d] += sign * dual[k][d] / corners;
         }
-        for (int f = 0; f < width; ++f) hat[d][f] = GimpAxis::hat(x - (f - 1));
+        BSplineAxis<1>::at(place, d, x, hat[d]);
       }
       if constexpr (Dimensions == 2) hat[2][0] = 1.0;
       for (int az = 0; az < layers; ++az)

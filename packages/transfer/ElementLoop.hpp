@@ -20,9 +20,17 @@ struct ElementBox {
   int beyond = 1;             ///< nodes per direction beyond the number of elements
   int first[3] = {0, 0, 0};   ///< number of the first element in the whole grid
   int all[3] = {0, 0, 0};     ///< elements of the whole grid
+  bool centered = false;      ///< elements are centred at knots, the first and last at the ends
 
   KOKKOS_INLINE_FUNCTION int element(int i, int j, int k) const {
     return i + elements[0] * (j + elements[1] * k);
+  }
+  /// The part of element i along d that lies between the ends of the grid, in the element's natural
+  /// coordinate: all of it, or the inner half of one that is centred at an end.
+  KOKKOS_INLINE_FUNCTION void within_ends(int d, int i, double& lower, double& upper) const {
+    const bool has_ends = centered && !(flat && d == 2);
+    lower = has_ends && first[d] + i == 0 ? 0.5 : 0.0;
+    upper = has_ends && first[d] + i == all[d] - 1 ? 0.5 : 1.0;
   }
   KOKKOS_INLINE_FUNCTION int node(int i, int j, int k) const {
     return i + (elements[0] + beyond) * (j + (elements[1] + beyond) * (flat ? 0 : k));

@@ -159,12 +159,18 @@ struct ElementParticles : PointSet<Device> {
     point.volume = static_cast<double>(fictitious_volume(element));
     shape::Place place = place_in(i, j, k);
     constexpr int w = Shape::width;
-    for (int d = 0; d < 3; ++d)
-      for (int e = 0; e < 3; ++e) place.domain[d][e] = d == e ? 0.5 / w * box.spacing[d] : 0.0;
+    const int index[3] = {i, j, k};
+    double lower[3], length[3];
+    for (int d = 0; d < 3; ++d) {
+      double upper;
+      box.within_ends(d, index[d], lower[d], upper);
+      length[d] = upper - lower[d];
+      for (int e = 0; e < 3; ++e)
+        place.domain[d][e] = d == e ? 0.5 / w * length[d] * box.spacing[d] : 0.0;
+    }
     for (int q = 0; q < fictitious_points; ++q) {
-      place.xi[0] = (q % w + 0.5) / w;
-      place.xi[1] = (q / w % w + 0.5) / w;
-      place.xi[2] = (q / (w * w) + 0.5) / w;
+      const int number[3] = {q % w, q / w % w, q / (w * w)};
+      for (int d = 0; d < 3; ++d) place.xi[d] = lower[d] + (number[d] + 0.5) / w * length[d];
       point.H = move(place, u, point);
       if (!(1.0 + tensor::det_minus_one(point.H) > 0.0)) ++bad;
       visit(point);
