@@ -43,16 +43,16 @@ struct BSplineAxis {
     const double edge = sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
     const double wanted = edge * place.inverse_h[d];
     const double l = wanted > largest_half_domain ? largest_half_domain : wanted;
-    const double x = place.xi[d] - 0.5;
+    const double begin = place.xi[d] - 0.5 - l, end = place.xi[d] - 0.5 + l;
     double lower[width], upper[width];
-    at(place, d, x - l, lower);
-    at(place, d, x + l, upper);
+    at(place, d, begin, lower);
+    at(place, d, end, upper);
     for (int f = 0; f < width; ++f) {
       value[f] = 0.0;
-      slope[f] = (upper[f] - lower[f]) / (2.0 * l);
+      slope[f] = (upper[f] - lower[f]) / (end - begin);
     }
-    add_mean(place, d, x - l, x + l < 0.0 ? x + l : 0.0, 2.0 * l, value);
-    add_mean(place, d, x - l > 0.0 ? x - l : 0.0, x + l, 2.0 * l, value);
+    add_mean(place, d, begin, end < 0.0 ? end : 0.0, end - begin, value);
+    add_mean(place, d, begin > 0.0 ? begin : 0.0, end, end - begin, value);
   }
 
   /// The splines' values at a point x [elements from the knot in the middle of the element].

@@ -34,4 +34,15 @@ inline std::vector<ShapeChoice> shape_choices() {
           {ShapeFunctions::cubic_b_spline, ParticleDomain::stretched, "Cubic_B_Spline"}};
 }
 
+/// Those that a particle can cross elements with and converge: smooth, on domains that stay side by
+/// side.
+inline std::vector<ShapeChoice> smooth_choices() {
+  std::vector<ShapeChoice> choices;
+  for (const ShapeChoice& choice : shape_choices())
+    if (choice.shape_functions != grid::ShapeFunctions::linear &&
+        choice.particle_domain == grid::ParticleDomain::stretched)
+      choices.push_back(choice);
+  return choices;
+}
+
 }  // namespace stroma::test

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "grid/ShapeGrid.hpp"
-#include "shape/BSpline.hpp"
 #include "shape/Cpdi.hpp"
 
 namespace stroma::shape {
@@ -68,7 +70,7 @@ class ShapeFunctionsOf : public ::testing::Test {
             Shape::dimensions == 3 ? s.place.element[2] + a / (w * w) : 0};
   }
 
-  /// Points whose domains lie in the body.
+  /// Points in the elements, some of them, or of their domains, beyond the ends.
   template <class Check>
   static void for_points(const Check& check) {
     const grid::Grid grid = make_grid();
@@ -98,6 +100,11 @@ TYPED_TEST(ShapeFunctionsOf, SumToOneAndReproduceLinearFields) {
   const double slope[3] = {0.3, -1.7, 0.9};
   this->for_points([&](const grid::Grid& grid, const std::array<double, 3>& x, double extent) {
     const auto s = this->at(grid, x, extent);
+    bool is_inside = true;  // the domain too, which is smaller than an element
+    for (int d = 0; d < this->directions; ++d) {
+      const double place = s.place.element[d] + s.place.xi[d];
+      is_inside = is_inside && place > 1.0 && place < s.place.elements[d] - 1.0;
+    }
     double sum = 0.0, value = 0.0, gradient[3] = {}, exact = 0.4;
     for (int d = 0; d < this->directions; ++d) exact += slope[d] * x[static_cast<std::size_t>(d)];
     for (int a = 0; a < this->nodes; ++a) {
@@ -105,7 +112,7 @@ TYPED_TEST(ShapeFunctionsOf, SumToOneAndReproduceLinearFields) {
       double nodal = 0.4;
       for (int d = 0; d < this->directions; ++d)
         nodal += slope[d] * place[static_cast<std::size_t>(d)];
-      EXPECT_GE(s.N[a], -1e-15);
+      if (is_inside) EXPECT_GE(s.N[a], -1e-15);
       sum += s.N[a];
       value += s.N[a] * nodal;
       for (int d = 0; d < 3; ++d) gradient[d] += s.gradient[d][a] * nodal;
@@ -182,36 +189,92 @@ TEST(ShapeFunctions, GradientsAreThoseOfTheValues) {
   }
 }
 
-/// Values of the functions of one axis in the middle of an element far from the ends.
+/// Values of the functions of one axis, averaged over a domain of half edge l [elements], at a
+/// point x from the knot [elements].
 template <class Axis>
-void expect_values(const Place& place, const std::vector<double>& expected) {
+void expect_values(int element, double x, double l, const std::vector<double>& expected) {
+  const Place place{{x + 0.5, 0, 0}, {element, 0, 0}, {10, 1, 1}, {1, 1, 1}, {{l, 0, 0}, {}, {}}};
   double value[Axis::width], slope[Axis::width];
   Axis::evaluate(place, 0, value, slope);
   for (int f = 0; f < Axis::width; ++f)
-    EXPECT_NEAR(value[f], expected[static_cast<std::size_t>(f)], 1e-15);
+    EXPECT_NEAR(value[f], expected[static_cast<std::size_t>(f)], 1e-13);
 }
 
-// The uniform B-splines' textbook values at the middle and at a knot, and GIMP's at a node:
-// 1 - l/2 (l = half edge in elements), l/4 at its neighbours (Bardenhagen, Kober 2004).
+// The uniform B-splines' textbook values at a knot and in the middle of a span, where the domain is
+// next to nothing. GIMP's at a node: 1 - l/2 (l = half edge in elements), l/4 at its neighbours
+// (Bardenhagen, Kober 2004). And the mean of a uniform B-spline over a whole span is the B-spline
+// of the next degree.
 TEST(ShapeFunctions, HaveTheValuesThatTextbooksGive) {
-  Place place{{0.5, 0, 0}, {4, 0, 0}, {10, 1, 1}, {1, 1, 1}, {{0.25, 0, 0}, {}, {}}};
-  expect_values<BSplineAxis<2>>(place, {1.0 / 8, 3.0 / 4, 1.0 / 8});
-  expect_values<BSplineAxis<3>>(place, {1.0 / 48, 23.0 / 48, 23.0 / 48, 1.0 / 48});
-  expect_values<GimpAxis>(place, {0.25 / 4, 1.0 - 0.25 / 2, 0.25 / 4});
-  place.xi[0] = 0.0;
-  expect_values<BSplineAxis<2>>(place, {1.0 / 2, 1.0 / 2, 0.0});
-  expect_values<BSplineAxis<3>>(place, {1.0 / 6, 2.0 / 3, 1.0 / 6, 0.0});
+  const double tiny = 1e-7;
+  expect_values<BSplineAxis<2>>(4, 0.0, tiny, {0, 1.0 / 2, 1.0 / 2, 0});
+  expect_values<BSplineAxis<3>>(4, 0.0, tiny, {0, 1.0 / 6, 2.0 / 3, 1.0 / 6, 0});
+  expect_values<BSplineAxis<2>>(4, 0.5, tiny, {0, 1.0 / 8, 3.0 / 4, 1.0 / 8});
+  expect_values<BSplineAxis<3>>(4, 0.5, tiny, {0, 1.0 / 48, 23.0 / 48, 23.0 / 48, 1.0 / 48});
+  expect_values<BSplineAxis<3>>(4, -0.5, tiny, {1.0 / 48, 23.0 / 48, 23.0 / 48, 1.0 / 48, 0});
+  expect_values<BSplineAxis<1>>(4, 0.0, 0.25, {0.25 / 4, 1.0 - 0.25 / 2, 0.25 / 4});
+  expect_values<BSplineAxis<1>>(4, 0.0, 0.5, {1.0 / 8, 3.0 / 4, 1.0 / 8});
+  expect_values<BSplineAxis<2>>(4, 0.0, 0.5, {1.0 / 48, 23.0 / 48, 23.0 / 48, 1.0 / 48});
+  expect_values<BSplineAxis<3>>(4, 0.0, 0.5,
+                                {1.0 / 384, 19.0 / 96, 115.0 / 192, 19.0 / 96, 1.0 / 384});
 }
 
 // Open knots: at the ends of the grid one function is 1 and the others 0, so that what is
-// prescribed there holds along the whole face.
+// prescribed there holds along the whole face. Hats go on straight beyond it.
 TEST(ShapeFunctions, InterpolateAtTheEnds) {
-  const Place lower{{0, 0, 0}, {0, 0, 0}, {6, 1, 1}, {1, 1, 1}, {}};
-  const Place upper{{1, 0, 0}, {5, 0, 0}, {6, 1, 1}, {1, 1, 1}, {}};
-  expect_values<BSplineAxis<2>>(lower, {1, 0, 0});
-  expect_values<BSplineAxis<3>>(lower, {1, 0, 0, 0});
-  expect_values<BSplineAxis<2>>(upper, {0, 0, 1});
-  expect_values<BSplineAxis<3>>(upper, {0, 0, 0, 1});
+  const double tiny = 1e-14;
+  expect_values<BSplineAxis<1>>(0, 0.0, tiny, {0, 1, 0});
+  expect_values<BSplineAxis<2>>(0, 0.0, tiny, {0, 1, 0, 0});
+  expect_values<BSplineAxis<3>>(0, 0.0, tiny, {0, 1, 0, 0, 0});
+  expect_values<BSplineAxis<1>>(9, 0.0, tiny, {0, 1, 0});
+  expect_values<BSplineAxis<2>>(9, 0.0, tiny, {0, 0, 1, 0});
+  expect_values<BSplineAxis<3>>(9, 0.0, tiny, {0, 0, 0, 1, 0});
+  expect_values<BSplineAxis<1>>(0, -0.25, 0.25, {0, 1.25, -0.25});
+  expect_values<BSplineAxis<1>>(9, 0.25, 0.25, {-0.25, 1.25, 0});
+}
+
+constexpr int spans = 6;
+
+/// Domains of uneven sizes that tile the axis from the first knot to the last: (middle, half edge).
+std::vector<std::pair<double, double>> tiles() {
+  std::vector<std::pair<double, double>> tiles;
+  const double size[5] = {0.37, 0.61, 0.22, 0.5, 0.3};  // 3 times their sum is `spans`
+  double from = 0.0;
+  for (int n = 0; n < 15; ++n) {
+    tiles.emplace_back(from + 0.5 * size[n % 5], 0.5 * size[n % 5]);
+    from += size[n % 5];
+  }
+  return tiles;
+}
+
+// Where domains tile the body, sums over the particles of values and gradients are their integrals
+// over the body: 1 or -1 for the gradient of the functions that are 1 at the ends, 0 for the
+// others; and (t_(f+p+1) - t_f) / (p + 1) for the values of spline f.
+template <class Axis>
+void expect_integrals() {
+  constexpr int degree = Axis::width - 2;
+  double sum[spans + degree + 2] = {}, slopes[spans + degree + 2] = {};
+  for (const auto& [middle, l] : tiles()) {
+    const int knot = static_cast<int>(std::floor(middle + 0.5));
+    const Place place{
+        {middle - knot + 0.5, 0, 0}, {knot, 0, 0}, {spans + 1, 1, 1}, {1, 1, 1}, {{l, 0, 0}}};
+    double value[Axis::width], slope[Axis::width];
+    Axis::evaluate(place, 0, value, slope);
+    for (int f = 0; f < Axis::width; ++f) {
+      sum[knot + f] += 2.0 * l * value[f];
+      slopes[knot + f] += 2.0 * l * slope[f];
+    }
+  }
+  const auto t = [](int i) { return static_cast<double>(std::clamp(i, 0, spans)); };
+  for (int f = 0; f < spans + degree; ++f) {
+    EXPECT_NEAR(sum[f + 1], (t(f + 1) - t(f - degree)) / (degree + 1), 1e-13);
+    EXPECT_NEAR(slopes[f + 1], f == 0 ? -1.0 : (f == spans + degree - 1 ? 1.0 : 0.0), 1e-13);
+  }
+}
+
+TEST(ShapeFunctions, IntegrateGradientsExactly) {
+  expect_integrals<BSplineAxis<1>>();
+  expect_integrals<BSplineAxis<2>>();
+  expect_integrals<BSplineAxis<3>>();
 }
 
 // Without shear CPDI is GIMP for values and gradients that are linear along each domain edge, and

@@ -137,6 +137,7 @@ TEST_P(RigidMotion, OfTheNodesIsThatOfTheParticles) {
         Specimen specimen = bar(GetParam(), plane_strain, reset);
         specimen.origin = {start.origin, 2.0 * start.origin, plane_strain ? 0.0 : -start.origin};
         specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")}};
+        specimen.conditions[0].second.imposed_by = mechanics::ImposedBy::grip;
         mechanics::MovingBody body =
             test::shifted_body(world(), specimen, shift_of(start, specimen));
         const auto at_start = positions(body);
