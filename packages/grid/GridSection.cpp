@@ -30,12 +30,13 @@ deck::Section<GridParameters> grid_section() {
                  "Interpolation between particles and nodes. Linear: hats, whose gradients jump "
                  "where a particle enters another element. GIMP: hats averaged over a box around "
                  "each particle. CPDI: the same over a parallelepiped that deforms with the "
-                 "particle. B-splines are smooth themselves. With Reset, all but Linear are free "
-                 "of the crossing artefact; they cost more (docs/performance.md).");
+                 "particle. B-splines: smooth functions, averaged as GIMP does. With Reset, all "
+                 "but Linear are free of the crossing artefact; the wider they are, the more "
+                 "they cost (docs/performance.md).");
   section.choice(
       "Particle Domain", &GridParameters::particle_domain,
       {{"Stretched", ParticleDomain::stretched}, {"Undeformed", ParticleDomain::undeformed}},
-      "Of GIMP and CPDI with Reset: the domain of a particle follows its deformation "
+      "Of all but Linear, with Reset: the domain of a particle follows its deformation "
       "gradient, or stays as it was seeded.");
   section.choice(
       "Dilatation", &GridParameters::dilatation,
