@@ -25,9 +25,10 @@ class SmoothSlice : public ::testing::Test {
   }
   static void TearDownTestSuite() { delete folder_; }
 
-  /// Ten steps to full load with elements of 8 pixels, 64 particles each.
+  /// Five steps to full load with elements of 8 pixels, 64 particles each.
   static History run(const std::string& shape_functions, bool reset, bool collagen_only) {
-    std::string arguments = "run deck.xml -o out --quiet --set 'Output|Pictures=false'";
+    std::string arguments =
+        "run deck.xml -o out --quiet --set 'Output|Pictures=false' --set 'Loading|Steps=5'";
     arguments += " --set 'Grid|Shape Functions=" + shape_functions + "'";
     arguments += std::string(" --set 'Grid|Reset=") + (reset ? "true'" : "false'");
     if (collagen_only)
