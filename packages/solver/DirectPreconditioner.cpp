@@ -8,6 +8,30 @@
 namespace stroma::solver {
 namespace {
 
+/// A copy without the entries that are zero, on another map. Rows of untouched and prescribed
+/// components hold nothing else besides their diagonal; KLU2 would fill them in.
+grid::RCP<mechanics::Matrix> without_zeros(const mechanics::Matrix& matrix,
+                                           const grid::RCP<const grid::Map>& map) {
+  const auto local = matrix.getLocalMatrixHost();
+  const auto copy =
+      Teuchos::rcp(new mechanics::Matrix(map, map, matrix.getNodeMaxNumRowEntries()));
+  Teuchos::Array<grid::LocalOrdinal> columns;
+  Teuchos::Array<double> values;
+  for (int row = 0; row < local.numRows(); ++row) {
+    columns.clear();
+    values.clear();
+    const auto entries = local.rowConst(row);
+    for (int n = 0; n < entries.length; ++n) {
+      if (entries.value(n) == 0.0) continue;
+      columns.push_back(entries.colidx(n));
+      values.push_back(entries.value(n));
+    }
+    copy->insertLocalValues(row, columns(), values());
+  }
+  copy->fillComplete(map, map);
+  return copy;
+}
+
 /// LU factors of the matrix, held by rank 0: the matrix is brought there, and so is every
 /// right-hand side. (Amesos2 can distribute KLU2 itself, but as of Trilinos 13.2 it then solves
 /// another system: a tridiagonal one of 60 rows came back with an error of 9 % on two ranks.)
@@ -31,7 +55,7 @@ class GatheredFactors : public Operator {
       const auto alone = Teuchos::rcp(
           new grid::Map(static_cast<Tpetra::global_size_t>(matrix_->getGlobalNumRows()), 0,
                         Teuchos::rcp(new Teuchos::SerialComm<int>())));
-      local_ = Teuchos::rcp(new mechanics::Matrix(alone, alone, gathered.getLocalMatrixDevice()));
+      local_ = without_zeros(gathered, alone);
       right_side_ = Teuchos::rcp(new grid::MultiVector(alone, 1));
       solution_ = Teuchos::rcp(new grid::MultiVector(alone, 1));
       try {
