@@ -94,7 +94,9 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PenaltyOf, ::testing::ValuesIn(test::shape_choi
 // V-PEN-2. Under a motion of all faces that is linear in X, on a grid that is not reset, the stress
 // is uniform but for what the springs give way.
 TEST_P(PenaltyOf, LinearMotionIsMet) {
-  if (is_b_spline(GetParam())) GTEST_SKIP() << "particles integrate splines inexactly";
+  if (is_b_spline(GetParam()))
+    GTEST_SKIP() << "a point of the face sees splines as a particle's linear field goes on, and "
+                    "spreads its force accordingly";
   for (const bool slice : {false, true}) {
     Specimen specimen = two_materials(slice);
     specimen.label = {};
@@ -142,25 +144,30 @@ TEST_P(PenaltyOf, TranslationLeavesNoStress) {
   }
 }
 
-// V-PEN-3. Reactions are the springs' forces: they balance, and with every shape function, in both
-// modes, they come to the force of hats with nodes, but for discretisation.
+// V-PEN-3. Reactions are the springs' forces: they balance, and are those of nodes with the same
+// shape functions but for what the springs give way (and splines, which a point of the face sees as
+// a particle's linear field goes on, within 1 %). With reset, on these few elements, smooth
+// functions depart from that by less than 1 %, hats by what crossing does.
 TEST_P(PenaltyOf, ForcesBalance) {
-  Specimen nodes = two_materials(true);
-  nodes.conditions = test::clamped(0.05);
-  const double hats = pull(nodes, 1).top;
+  Specimen specimen = two_materials(true);
+  GetParam().apply_to(specimen);
+  specimen.conditions = test::clamped(0.05);
+  const double by_nodes = pull(specimen, 1).top;
+  impose_by_penalty(specimen);
+  const bool is_smooth = specimen.shape_functions != grid::ShapeFunctions::linear;
   for (const bool reset : {false, true}) {
-    Specimen specimen = nodes;
-    GetParam().apply_to(specimen);
     specimen.reset = reset;
     specimen.stabilization = reset ? 0.01 : 0.0;
-    impose_by_penalty(specimen);
     const Pull now = pull(specimen, reset ? 3 : 1);
     EXPECT_NEAR(now.bottom, -now.top, 1e-7 * now.top);
     if (world().is_root())
-      std::printf("  %-18s %s %.4f of hats with nodes, springs hold %.1e of the energy\n",
-                  GetParam().name.c_str(), reset ? "reset   " : "no reset", now.top / hats,
+      std::printf("  %-18s %s %.5f of the force by nodes, springs hold %.1e of the energy\n",
+                  GetParam().name.c_str(), reset ? "reset   " : "no reset", now.top / by_nodes,
                   now.give);
-    if (!is_b_spline(GetParam())) EXPECT_NEAR(now.top, hats, (reset ? 0.1 : 1e-4) * hats);
+    const double tolerance = reset && !is_smooth                ? 0.1
+                             : reset || is_b_spline(GetParam()) ? 0.01
+                                                                : 1e-4;
+    EXPECT_NEAR(now.top, by_nodes, tolerance * by_nodes);
     EXPECT_LT(now.give, 1e-4);
   }
 }
