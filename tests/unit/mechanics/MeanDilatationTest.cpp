@@ -192,7 +192,9 @@ TEST_P(MeanDilatation, ChangesNothingWhereTheStrainIsUniform) {
       EXPECT_NEAR(a.jacobian(p), b.jacobian(p), 1e-13);
       for (int k = 0; k < 6; ++k) EXPECT_NEAR(a.stress(p, k), b.stress(p, k), 1e-12 * 9000.0);
     }
-    if (G == rotation) EXPECT_LT(force(*mean, u).normInf(), 1e-12 * stiffness);
+    if (G == rotation) {
+      EXPECT_LT(force(*mean, u).normInf(), 1e-12 * stiffness);
+    }
   }
   // Where it is not uniform, it is another force.
   const grid::Vector u = scattered(*mean, 0, 0.15);
