@@ -19,12 +19,10 @@ auto on_host(const View& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
 }
 
-/// epsilon of a condition on a face across an axis [Pa/um].
-double stiffness_per_area(const Problem& problem, const BoundaryCondition& condition, int axis) {
-  double stiffest = 0.0;
-  for (const material::NeoHookean& law : problem.laws)
-    stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
-  return condition.penalty_factor.value_or(2e4) * stiffest / problem.body.length(axis);
+/// epsilon of a condition on a face across an axis [Pa/um], for the body's stiffest modulus.
+double stiffness_per_area(const Problem& problem, const BoundaryCondition& condition, int axis,
+                          double modulus) {
+  return condition.penalty_factor.value_or(2e4) * modulus / problem.body.length(axis);
 }
 
 bool is_on(Face face, const BoundaryCondition& condition) {
@@ -38,7 +36,8 @@ class BoundaryPointMaker {
       : problem_(problem),
         body_(problem.body),
         length_{body_.length(0), body_.length(1), body_.length(2)},
-        negligible_(1e-12 * *std::max_element(length_.begin(), length_.end())) {}
+        negligible_(1e-12 * *std::max_element(length_.begin(), length_.end())),
+        modulus_(stiffest_modulus(problem)) {}
 
   /// Appends the points of a particle that lay at X in the undeformed body.
   void add(int particle, const Vector& X, double volume, std::vector<BoundaryPoint>& points) const {
@@ -66,7 +65,7 @@ class BoundaryPointMaker {
     BoundaryPoint point{};
     point.particle = particle;
     point.condition = m;
-    point.spring = stiffness_per_area(problem_, condition, axis) * volume / spacing;
+    point.spring = stiffness_per_area(problem_, condition, axis, modulus_) * volume / spacing;
     point.offset[axis] = outwards;
     Vector at = X;
     at[d] += outwards;
@@ -98,6 +97,7 @@ class BoundaryPointMaker {
   const grid::Grid& body_;
   Vector length_;
   double negligible_;
+  double modulus_;
 };
 
 }  // namespace
@@ -135,7 +135,15 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
           grid::to_device("boundary points of elements", begin)};
 }
 
+double stiffest_modulus(const Problem& problem) {
+  double stiffest = 0.0;
+  for (const material::NeoHookean& law : problem.laws)
+    stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
+  return stiffest;
+}
+
 double stiffest_springs(const Problem& problem) {
+  const double modulus = stiffest_modulus(problem);
   double stiffest = 0.0;
   for (const auto& named : problem.conditions)
     for (int face = 0; face < 6; ++face) {
@@ -145,7 +153,8 @@ double stiffest_springs(const Problem& problem) {
         continue;
       const auto& h = problem.body.spacing;
       const double area = h[0] * h[1] * h[2] / h[static_cast<std::size_t>(axis)];
-      stiffest = std::max(stiffest, stiffness_per_area(problem, named.second, axis) * area);
+      stiffest =
+          std::max(stiffest, stiffness_per_area(problem, named.second, axis, modulus) * area);
     }
   return stiffest;
 }

@@ -28,6 +28,9 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
     const base::Communicator& communicator, const Problem& problem,
     const particles::Particles<grid::Device>& particles);
 
+/// The largest modulus of a confined stretch, K + 4/3 mu, of the body's materials [Pa].
+double stiffest_modulus(const Problem& problem);
+
 /// The size of the diagonal entries that the springs bring to the tangent, epsilon times the face
 /// of an element, the largest of all conditions [pN/um]; 0 without any.
 double stiffest_springs(const Problem& problem);

@@ -110,10 +110,8 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       base_load_(base_load),
       load_(base_load) {
   check_shape_functions(problem, partition.grid());
-  double stiffest = 0.0;
-  for (const Law& law : problem.laws)
-    stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
-  typical_diagonal_ = stiffest * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
+  typical_diagonal_ =
+      stiffest_modulus(problem) * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
   if (problem.stabilization > 0.0) find_fictitious_points(problem.stabilization);
 
   std::vector<Supports::NodeCounts> grips(problem.conditions.size());
