@@ -14,7 +14,7 @@ using Matrix = Tpetra::CrsMatrix<double>;
 
 /// A compressed row matrix over the unknowns of the nodes whose graph, a node and all its
 /// neighbours within the shape functions' reach (width - 1: 27, 125, 343 or 729 blocks a row; in
-/// plane strain 9, 25 or 49), is built once, by arithmetic. It can be filled again and again:
+/// plane strain 9, 25, 49 or 81), is built once, by arithmetic. It can be filled again and again:
 ///
 ///     launch(tangent.begin());   // adds the blocks of this rank's elements
 ///     tangent.finish();          // rows shared with neighbours go to their owners

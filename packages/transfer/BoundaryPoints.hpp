@@ -45,7 +45,9 @@ KOKKOS_INLINE_FUNCTION void gap_of(const BoundaryPoint& b, const ParticlePoint<S
   }
 }
 
-/// What the springs of one element's boundary points do: visits each with its particle.
+/// Calls visit(number, BoundaryPoint, ParticlePoint, u, carried) for each boundary point of element
+/// (i, j, k): with its particle, the displacements u of the element's nodes, and how far each of
+/// them carries the point (ParticlePoint::value_beside).
 template <class Shape, class Device, class Visit>
 KOKKOS_INLINE_FUNCTION void for_each_boundary_point(const ElementParticles<Shape, Device>& elements,
                                                     const BoundaryPointSet<Device>& boundary, int i,
