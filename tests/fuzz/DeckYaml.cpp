@@ -1,0 +1,9 @@
+/// \file
+/// Fuzz target: any bytes, read as a deck in YAML.
+
+#include "AnyDeck.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  stroma::fuzz::read_any(bytes, size, stroma::deck::Format::yaml);
+  return 0;
+}
