@@ -1,5 +1,6 @@
 #include "deck/Document.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>

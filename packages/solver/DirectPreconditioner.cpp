@@ -13,7 +13,7 @@ namespace {
 grid::RCP<mechanics::Matrix> without_zeros(const mechanics::Matrix& matrix,
                                            const grid::RCP<const grid::Map>& map) {
   const auto local = matrix.getLocalMatrixHost();
-  const auto copy = Teuchos::rcp(new mechanics::Matrix(map, map, matrix.getNodeMaxNumRowEntries()));
+  const auto copy = Teuchos::rcp(new mechanics::Matrix(map, map, matrix.getGlobalMaxNumRowEntries()));
   Teuchos::Array<grid::LocalOrdinal> columns;
   Teuchos::Array<double> values;
   for (int row = 0; row < local.numRows(); ++row) {
