@@ -1,16 +1,19 @@
 # The libraries beside Trilinos, each behind one target.
 
 # HDF5 and Exodus must share one MPI build of HDF5: a second, serial HDF5 in the same process would
-# answer the first one's calls.
-set(HDF5_PREFER_PARALLEL ON)
-find_package(HDF5 REQUIRED COMPONENTS C)
-if(NOT HDF5_IS_PARALLEL)
-  message(FATAL_ERROR "Stroma needs an HDF5 built with MPI (Debian: libhdf5-openmpi-dev)")
+# answer the first one's calls. Found file by file: CMake's FindHDF5 takes the serial one where both are
+# installed with config files, whose targets a consumer of Stroma would have to find again.
+find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/openmpi hdf5/mpich REQUIRED)
+find_library(HDF5_LIBRARY NAMES hdf5_openmpi hdf5_mpich hdf5 PATH_SUFFIXES hdf5/openmpi hdf5/mpich REQUIRED)
+file(STRINGS "${HDF5_INCLUDE_DIR}/H5pubconf.h" hdf5_with_mpi REGEX "^#define H5_HAVE_PARALLEL")
+if(NOT hdf5_with_mpi)
+  message(FATAL_ERROR "Stroma needs an HDF5 built with MPI (Debian: libhdf5-openmpi-dev); the one in "
+                      "${HDF5_INCLUDE_DIR} is not: give -DHDF5_INCLUDE_DIR= and -DHDF5_LIBRARY=")
 endif()
 add_library(stroma_hdf5 INTERFACE)
 add_library(stroma::hdf5 ALIAS stroma_hdf5)
-target_include_directories(stroma_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
-target_link_libraries(stroma_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+target_include_directories(stroma_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIR})
+target_link_libraries(stroma_hdf5 INTERFACE ${HDF5_LIBRARY})
 
 find_path(EXODUS_INCLUDE_DIR exodusII.h REQUIRED)
 find_library(EXODUS_LIBRARY NAMES exodus exoIIv2c REQUIRED)
