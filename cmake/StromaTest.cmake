@@ -4,11 +4,10 @@
 # folder in STROMA_SOURCE_DIR and the shared reference data, if there are any, in STROMA_SHARED_DIR.
 # Where Trilinos has threads, it is run on 1 rank with each of THREADS (default: 1 2) threads, and, if it is for
 # several ranks, on 2 ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
-find_package(GTest REQUIRED)
-
 set(STROMA_TEST_ENVIRONMENT
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+    OMPI_MCA_hwloc_base_binding_policy=none PRTE_MCA_hwloc_default_binding_policy=none
     OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
     OMP_WAIT_POLICY=passive)  # threads that wait leave the processor to the other ranks
 

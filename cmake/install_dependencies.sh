@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# Installs what Stroma needs from Debian 12, and only what is missing; silent when there is nothing to do.
-# As root, or through sudo.
+# Installs what Stroma needs from Debian's packages, and only what is missing; silent when there is nothing to do.
+# As root, or through sudo; where neither will do, prints the line that an administrator has to run.
+#
+#   cmake/install_dependencies.sh [demo|test]      for the program alone, or (default) for the tests as well
 set -euo pipefail
 
 packages=(
   # compiler and build
-  g++ cmake ninja-build ccache
+  g++ cmake ninja-build
   # solvers, MPI
   trilinos-all-dev libptscotch-dev libopenmpi-dev openmpi-bin
   # files
@@ -13,9 +15,17 @@ packages=(
   libyaml-cpp-dev libexpat1-dev
   # command line, pictures
   libcli11-dev gnuplot-nox fonts-dejavu-core
-  # tests and benchmarks
-  libgtest-dev libbenchmark-dev nlohmann-json3-dev
 )
+case ${1:-test} in
+  demo) ;;
+  test) packages+=(ccache libgtest-dev nlohmann-json3-dev) ;;
+  *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "install_dependencies.sh: this is no Debian; there, these would be installed: ${packages[*]}" >&2
+  exit 0
+fi
 
 missing=()
 for package in "${packages[@]}"; do
@@ -24,18 +34,15 @@ for package in "${packages[@]}"; do
 done
 [[ ${#missing[@]} -eq 0 ]] && exit 0
 
+install=(apt-get install -y --no-install-recommends "${missing[@]}")
 as_root=()
-if [[ $(id -u) -ne 0 ]]; then
-  if ! command -v sudo >/dev/null; then
-    echo "install_dependencies.sh: missing packages: ${missing[*]}" >&2
-    echo "run this script as root, or install sudo" >&2
-    exit 1
-  fi
-  as_root=(sudo)
+[[ $(id -u) -eq 0 ]] || as_root=(sudo)
+if [[ $(id -u) -ne 0 ]] && ! { command -v sudo >/dev/null && sudo true; }; then
+  echo "install_dependencies.sh: packages are missing. As administrator:" >&2
+  echo "  apt-get update && ${install[*]}" >&2
+  exit 1
 fi
 
 echo "installing ${missing[*]}"
-export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive "${install[@]}" -qq >/dev/null

@@ -5,8 +5,8 @@
 # variable PRECONDITIONER names another preconditioner than the default.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_hwloc_base_binding_policy=none
-export OMPI_MCA_mpi_yield_when_idle=1 OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
+source cmake/mpi_environment.sh
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 stroma=$PWD/build/threads/bin/stroma
 preconditioner=${PRECONDITIONER:-Geometric Multigrid}
 work=$(mktemp -d)
@@ -25,7 +25,7 @@ for grid in "${grids[@]}"; do
     for pair in 1x1 2x1 1x2; do
       ranks=${pair%x*} threads=${pair#*x}
       log=$work/$pair.$turn
-      OMP_NUM_THREADS=$threads mpirun --oversubscribe -np "$ranks" /usr/bin/time -f '%M' -o "$log.memory" -a \
+      OMP_NUM_THREADS=$threads mpirun -np "$ranks" /usr/bin/time -f '%M' -o "$log.memory" -a \
         "$stroma" run tests/benchmark/ladder.xml -o "$work/run" \
         --set "Image|Phantom|Size={$((2 * nx)),$((2 * ny)),$((2 * nz))}" \
         --set "Solver|Preconditioner=$preconditioner" >"$log"
