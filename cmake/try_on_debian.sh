@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# Builds and tests the committed state (HEAD) on a Debian of its own: makes a root with debootstrap, or takes the one that
+# is there, clones into it and runs there what the README says. As root, with debootstrap installed.
+#
+#   cmake/try_on_debian.sh bookworm|trixie|sid [--root DIR] [--part demo|test] [--ccache DIR]
+#
+#   --root DIR      where the root is; else build/roots/SUITE. It takes 8 GB and may lie outside the project
+#   --part PART     demo: cmake/demo.sh only; test: the tests only; else both. On sid the tests are those of the preset
+#                   release that are marked unit or verification
+#   --ccache DIR    a folder of compiled objects to share between roots; else one inside the root
+#
+# Prints the time of each part and the number of tests. Mounts go away at the end, the root stays: rm -r removes it.
+set -euo pipefail
+project=$(cd "$(dirname "$0")/.." && pwd)
+usage() { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+suite=${1:-}
+[[ $suite =~ ^(bookworm|trixie|sid)$ ]] || usage
+shift
+root=$project/build/roots/$suite part=both ccache=""
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --root) root=$2; shift 2 ;;
+    --part) part=$2; shift 2 ;;
+    --ccache) ccache=$2; shift 2 ;;
+    *) usage ;;
+  esac
+done
+[[ $part =~ ^(demo|test|both)$ ]] || usage
+[[ $(id -u) -eq 0 ]] || { echo "try_on_debian.sh: chroot and mount need root" >&2; exit 1; }
+command -v debootstrap >/dev/null || { echo "try_on_debian.sh: apt-get install debootstrap" >&2; exit 1; }
+mkdir -p "$root"
+root=$(cd "$root" && pwd)
+
+# The mirror that apt of this machine uses, from either form of its lists.
+mirror() {
+  {
+    cat /etc/apt/sources.list.d/*.sources 2>/dev/null | sed -n 's/^URIs: *\([^ ]*\).*/\1/p'
+    grep -hs '^deb ' /etc/apt/sources.list /etc/apt/sources.list.d/*.list | sed 's/\[[^]]*\]//' | awk '{print $2}'
+  } | grep '/debian/*$' | head -n 1
+}
+
+make_root() {
+  debootstrap --variant=minbase --include=ca-certificates,git "$suite" "$root" "$(mirror)"
+  # What apt of this machine is told about the network, and no waiting for a disk that is thrown away.
+  apt-config dump | grep -E '^Acquire::(http|https|Check|Retries)' >"$root/etc/apt/apt.conf.d/90host" || true
+  echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
+  touch "$root/complete"
+}
+[[ -e $root/complete ]] || make_root
+cp /etc/resolv.conf /etc/hosts "$root/etc/"
+
+# What MPI, apt and the compiler look for; what is mounted already is left to whoever did it.
+mounted=()
+mount_at() {
+  mkdir -p "${!#}"
+  mountpoint -q "${!#}" && return
+  mount "$@"
+  mounted=("${!#}" "${mounted[@]}")
+}
+unmount() {
+  for folder in "${mounted[@]}"; do umount "$folder" || umount -l "$folder"; done
+}
+trap unmount EXIT
+trap 'exit 130' INT TERM
+mount_at -t proc proc "$root/proc"
+mount_at --bind /sys "$root/sys"
+mount_at -t tmpfs tmpfs "$root/dev/shm"
+if [[ -n $ccache ]]; then
+  mkdir -p "$ccache"
+  mount_at --bind "$ccache" "$root/root/.cache/ccache"
+fi
+
+# The clone and its build folder stay, so that a second run compiles only what changed.
+clone=$root/root/stroma
+[[ -d $clone ]] || git clone -q --no-local "$project" "$clone"
+git -C "$clone" fetch -q "$project" HEAD
+git -C "$clone" checkout -q --force --detach FETCH_HEAD
+git -C "$clone" clean -fdq
+
+inside() {
+  chroot "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+    ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+    bash -c "cd /root/stroma && $1"
+}
+timed() {
+  local begin=$SECONDS
+  inside "$2"
+  echo "== $suite, $1: passed in $((SECONDS - begin)) s"
+}
+inside 'bash cmake/install_dependencies.sh demo'
+inside '. /etc/os-release; echo "== $PRETTY_NAME, $(git rev-parse --short HEAD), GCC $(g++ -dumpfullversion)"
+  dpkg-query -W -f "== \${Package} \${Version}\n" trilinos-all-dev libinsighttoolkit5-dev libhdf5-openmpi-dev libopenmpi-dev'
+[[ $part == test ]] || timed demo 'bash cmake/demo.sh'
+if [[ $part != demo && $suite != sid ]]; then
+  timed tests 'bash cmake/test.sh'
+elif [[ $part != demo ]]; then
+  inside 'bash cmake/install_dependencies.sh test'
+  timed build 'cmake --preset release -D STROMA_TESTS=ON &&
+    cmake --build --preset release --parallel "$(nproc)" --target stroma unit_tests verification_tests'
+  timed 'unit and verification tests' "ctest --test-dir build/release --output-on-failure --parallel \"\$(nproc)\" \
+    --label-regex 'unit|verification'"
+fi
