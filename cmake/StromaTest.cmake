@@ -6,10 +6,18 @@
 # several ranks, on 2 ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
 set(STROMA_TEST_ENVIRONMENT
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
-    OMPI_MCA_hwloc_base_binding_policy=none PRTE_MCA_hwloc_default_binding_policy=none
     OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
+    OMPI_MCA_btl=^tcp         # one machine: Open MPI 5 complains of networks it cannot use
     OMP_WAIT_POLICY=passive)  # threads that wait leave the processor to the other ranks
+
+# More ranks than processors, bound to none of them: options, because the variables for it change their names with
+# each Open MPI (4, 5 and 6), which have these options in common.
+set(STROMA_MPIEXEC ${MPIEXEC_EXECUTABLE})
+execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE mpiexec_version ERROR_QUIET)
+if(mpiexec_version MATCHES "Open MPI")
+  list(APPEND STROMA_MPIEXEC --oversubscribe --bind-to none)
+endif()
+list(APPEND STROMA_MPIEXEC ${MPIEXEC_NUMPROC_FLAG})
 
 foreach(label unit verification regression)
   add_custom_target(${label}_tests)
@@ -18,7 +26,7 @@ endforeach()
 function(stroma_add_test name label target ranks threads suffix)
   math(EXPR processors "${ranks} * ${threads}")
   set(test ${label}.${name}.np${ranks}${suffix})
-  add_test(NAME ${test} COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${target}>)
+  add_test(NAME ${test} COMMAND ${STROMA_MPIEXEC} ${ranks} $<TARGET_FILE:${target}>)
   set_tests_properties(
     ${test} PROPERTIES LABELS ${label} PROCESSORS ${processors} TIMEOUT 600
     ENVIRONMENT "${STROMA_TEST_ENVIRONMENT};OMP_NUM_THREADS=${threads}")

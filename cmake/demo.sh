@@ -22,7 +22,7 @@ demo=$build/demo
 rm -rf "$demo"
 mkdir -p "$demo"
 cp input_decks/02_microvessel_stack/* "$demo"
-source cmake/mpi_environment.sh
+source cmake/mpi_here.sh
 export OMP_NUM_THREADS=1
 cd "$demo"
 
@@ -31,7 +31,7 @@ bash prepare.sh "$stroma"
 echo "== stroma image: what is in it"
 "$stroma" image microvessels.tif
 echo "== stroma run, on 2 ranks: 10 % extension"
-mpirun -np 2 "$stroma" run deck.xml -o results
+"${mpirun[@]}" -np 2 "$stroma" run deck.xml -o results
 
 echo
 echo "Left in $demo:"

@@ -6,7 +6,7 @@
 # With --write, the section "The ladder" of docs/performance.md is replaced by the result.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-source cmake/mpi_environment.sh
+source cmake/mpi_here.sh
 export OMP_NUM_THREADS=1
 stroma=$PWD/build/release/bin/stroma
 product=$PWD/build/release/tests/benchmark_product
@@ -42,7 +42,7 @@ for grid in "${grids[@]}"; do
       [[ $preconditioner == Multigrid && $elements -gt 500000 ]] && continue
     fi
     for ranks in 1 2; do
-      mpirun -np "$ranks" /usr/bin/time -f '%M' -o "$work/memory" -a \
+      "${mpirun[@]}" -np "$ranks" /usr/bin/time -f '%M' -o "$work/memory" -a \
         "$stroma" run tests/benchmark/ladder.xml -o "$work/run" \
         --set "Image|Phantom|Size={$((2 * nx)),$((2 * ny)),$((2 * nz))}" \
         --set "Solver|Preconditioner=$preconditioner" --set "Solver|Forcing=Constant" >"$work/log"
@@ -60,6 +60,6 @@ done
 echo
 for grid in "${grids[@]}"; do
   for ranks in 1 2; do
-    mpirun -np "$ranks" "$product" ${grid//,/ } 9 | sed 's/^/    /'
+    "${mpirun[@]}" -np "$ranks" "$product" ${grid//,/ } 9 | sed 's/^/    /'
   done
 done

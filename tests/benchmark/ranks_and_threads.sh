@@ -5,7 +5,7 @@
 # variable PRECONDITIONER names another preconditioner than the default.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-source cmake/mpi_environment.sh
+source cmake/mpi_here.sh
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 stroma=$PWD/build/threads/bin/stroma
 preconditioner=${PRECONDITIONER:-Geometric Multigrid}
@@ -25,7 +25,7 @@ for grid in "${grids[@]}"; do
     for pair in 1x1 2x1 1x2; do
       ranks=${pair%x*} threads=${pair#*x}
       log=$work/$pair.$turn
-      OMP_NUM_THREADS=$threads mpirun -np "$ranks" /usr/bin/time -f '%M' -o "$log.memory" -a \
+      OMP_NUM_THREADS=$threads "${mpirun[@]}" -np "$ranks" /usr/bin/time -f '%M' -o "$log.memory" -a \
         "$stroma" run tests/benchmark/ladder.xml -o "$work/run" \
         --set "Image|Phantom|Size={$((2 * nx)),$((2 * ny)),$((2 * nz))}" \
         --set "Solver|Preconditioner=$preconditioner" >"$log"

@@ -71,8 +71,8 @@ for count in $nodes; do
   export ELEMENTS=${size[0]},${size[1]},${size[2]} NODES=$count RANKS=$((count * ranks)) THREADS=$threads
   mkdir -p "$job"
   if [[ $local == yes ]]; then
-    source "$project/cmake/mpi_environment.sh"
-    LAUNCH="mpirun -np $RANKS" bash "$here/scaling.sbatch"
+    source "$project/cmake/mpi_here.sh"
+    LAUNCH="${mpirun[*]} -np $RANKS" bash "$here/scaling.sbatch"
   else
     sbatch --job-name="stroma-$kind-$count" --nodes="$count" --ntasks-per-node="$ranks" \
       --cpus-per-task="$threads" --time="$time" --output="$job/slurm.log" --export=ALL "$@" "$here/scaling.sbatch"
