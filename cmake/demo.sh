@@ -8,7 +8,7 @@ project=$(cd "$(dirname "$0")/.." && pwd)
 build=$project/build
 case ${1:-} in
   "") ;;
-  --build) [[ -n ${2:-} ]] && mkdir -p "$2" && build=$(cd "$2" && pwd) ;;
+  --build) mkdir -p "$2"; build=$(cd "$2" && pwd) ;;
   *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
