@@ -41,6 +41,9 @@ void print_summary(const image::ImageSummary& summary, base::Log& log) {
   log.line("type         " + summary.type.name());
   log.line(format("channels     %lld; channel %lld is shown", printable(summary.channels),
                   printable(summary.channel)));
+  if (summary.frames > 1)
+    log.line(format("frames       %lld; frame %lld is shown", printable(summary.frames),
+                    printable(summary.frame)));
   for (const std::string& note : summary.notes) log.note(note);
 }
 
@@ -90,6 +93,7 @@ int image_command(const base::Communicator& communicator, const ImageOptions& op
   parameters.file = options.file;
   if (!options.dataset.empty()) parameters.dataset = options.dataset;
   parameters.channel = options.channel;
+  parameters.frame = options.frame;
   parameters.voxel_size = options.voxel_size;
   image::ImageSummary summary;
   image::IntensityVolume volume = image::read_volume(communicator, parameters, "", summary);

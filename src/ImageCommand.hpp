@@ -17,6 +17,7 @@ struct ImageOptions {
   std::string file;
   std::string dataset;                              ///< --dataset, HDF5 only; empty: the only one
   int channel = 0;                                  ///< --channel
+  int frame = 0;                                    ///< --frame, of a time series
   std::optional<std::array<double, 3>> voxel_size;  ///< --voxel [um]
 };
 

@@ -139,6 +139,8 @@ deck::Section<ImageParameters> image_section() {
                 "file holds several.")
       .optional("Channel", &ImageParameters::channel, not_negative(),
                 "The channel to read, counted from 0.")
+      .optional("Frame", &ImageParameters::frame, not_negative(),
+                "The frame of a time series to read, counted from 0.")
       .optional("Voxel Size [um]", &ImageParameters::voxel_size, positive(),
                 "Sides of a voxel along x, y, z. Absent: the file's own. Required where the file "
                 "does not state it; "
@@ -157,6 +159,7 @@ deck::Section<ImageParameters> image_section() {
       const SegmentationParameters& s = p.segmentation;
       if (p.dataset) findings.add("Dataset", "a phantom has none; it goes with File");
       if (p.channel != 0) findings.add("Channel", "a phantom has none; it goes with File");
+      if (p.frame != 0) findings.add("Frame", "a phantom has none; it goes with File");
       if (p.voxel_size)
         findings.add("Voxel Size [um]", "a phantom has its own, in the sublist Phantom");
       if (s.threshold || s.smoothing > 0.0)

@@ -106,6 +106,12 @@ void check_channel(const std::string& path, std::int64_t channel, std::int64_t c
                             static_cast<long long>(channel), static_cast<long long>(channels - 1)));
 }
 
+void check_frame(const std::string& path, std::int64_t frame, std::int64_t frames) {
+  if (frame >= 0 && frame < frames) return;
+  refuse(path, base::format("has no frame %lld (Image|Frame); admissible: 0 to %lld",
+                            static_cast<long long>(frame), static_cast<long long>(frames - 1)));
+}
+
 void decode(const unsigned char* bytes, const ValueType& type, bool swapped, std::int64_t count,
             std::int64_t stride, double* values) {
   const auto as = [&](auto example) {
@@ -166,6 +172,7 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
         source = open_with_itk(request);
         break;
     }
+    check_frame(request.path, request.frame, source->summary().frames);
   };
   // Rank 0 looks first, so that what is wrong with a file is said once and the others never touch
   // it.

@@ -18,8 +18,8 @@ class ImageSource {
  public:
   virtual ~ImageSource() = default;
 
-  /// Path, format, file_size, type, channels, channel, dataset, voxel size as the file states it,
-  /// notes.
+  /// Path, format, file_size, type, channels, channel, frames, frame, dataset, voxel size as the
+  /// file states it, notes.
   const ImageSummary& summary() const { return summary_; }
 
   /// The values of a box of the file, x fastest. Not collective.
@@ -38,6 +38,7 @@ struct ImageRequest {
   std::string path;
   std::string dataset;  ///< HDF5 only; empty: the only one
   int channel = 0;
+  int frame = 0;  ///< of a time series
 };
 
 std::unique_ptr<ImageSource> open_tiff(const ImageRequest& request);
@@ -67,6 +68,10 @@ inline constexpr double largest_expansion = 4096.0;
 
 /// \throws base::InputError unless 0 <= channel < channels
 void check_channel(const std::string& path, std::int64_t channel, std::int64_t channels);
+
+/// \throws base::InputError unless 0 <= frame < frames. open_image() asks it of every source; one
+///   that knows time series asks before it looks for the frame's planes.
+void check_frame(const std::string& path, std::int64_t frame, std::int64_t frames);
 
 /// Converts `count` values, `stride` values apart, to doubles.
 /// \param swapped  the bytes of each value are in reverse order

@@ -47,6 +47,8 @@ struct ImageSummary {
   ValueType type;
   std::int64_t channels = 1;
   std::int64_t channel = 0;  ///< the one read, from 0
+  std::int64_t frames = 1;   ///< of a time series
+  std::int64_t frame = 0;    ///< the one read, from 0
   std::string dataset;       ///< HDF5 only
   VoxelSize voxel_size;
   std::vector<std::string> notes;  ///< what the user should know, a line each

@@ -123,6 +123,7 @@ IntensityVolume read_volume(const base::Communicator& communicator,
                      : (std::filesystem::path(folder) / name).string();
   request.dataset = parameters.dataset.value_or("");
   request.channel = parameters.channel;
+  request.frame = parameters.frame;
 
   const std::unique_ptr<ImageSource> source = open_image(communicator, request);
   summary = source->summary();
@@ -130,6 +131,11 @@ IntensityVolume read_volume(const base::Communicator& communicator,
     summary.notes.push_back(base::format("the file holds %lld channels; channel %lld is read",
                                          static_cast<long long>(summary.channels),
                                          static_cast<long long>(summary.channel)));
+  }
+  if (summary.frames > 1) {
+    summary.notes.push_back(base::format(
+        "the file is a time series of %lld frames; frame %lld is read (Image|Frame)",
+        static_cast<long long>(summary.frames), static_cast<long long>(summary.frame)));
   }
   override_voxel_size(parameters, summary);
   const Box region = region_of(parameters, request.path, summary.file_size);

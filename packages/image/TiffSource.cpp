@@ -47,6 +47,7 @@ class TiffSource : public ImageSource {
   explicit TiffSource(const ImageRequest& request) : pages_(request.path) {
     summary_.path = request.path;
     summary_.channel = request.channel;
+    summary_.frame = request.frame;
     check_pages();
     const std::string& description = pages_.tags().description;
     if (description.compare(0, 7, "ImageJ=") == 0) {
@@ -117,12 +118,9 @@ class TiffSource : public ImageSource {
     summary_.channels = stacked_channels * first_page().samples;
   }
 
-  void refuse_time_series(std::int64_t frames) {
-    refuse(
-        summary_.path,
-        base::format("is a time series of %lld frames; admissible: one frame (if they are planes, "
-                     "swap frames and slices in ImageJ's Image > Properties)",
-                     static_cast<long long>(frames)));
+  void set_frames(std::int64_t frames) {
+    summary_.frames = frames;
+    check_frame(summary_.path, summary_.frame, frames);
   }
 
   void stack_plain() {
@@ -143,7 +141,6 @@ class TiffSource : public ImageSource {
     if (channels < 1 || frames < 1 || images < 1)
       refuse(summary_.path, "has senseless ImageJ tags (no images)");
     const std::int64_t slices = integer("slices", images / (channels * frames));
-    if (frames > 1) refuse_time_series(frames);
     if (slices * channels * frames != images) {
       refuse(
           summary_.path,
@@ -154,6 +151,7 @@ class TiffSource : public ImageSource {
     summary_.format = channels > 1 ? "TIFF, ImageJ hyperstack"
                       : images > 1 ? "TIFF, ImageJ stack"
                                    : "TIFF, ImageJ";
+    set_frames(frames);
     set_size(slices, channels);
     if (page_count() == 1 && images > 1) {
       use_one_piece(images);
@@ -163,9 +161,15 @@ class TiffSource : public ImageSource {
           base::format("its ImageJ tags speak of %lld images, but it holds %lld pages (truncated?)",
                        static_cast<long long>(images), static_cast<long long>(page_count())));
     }
-    for (std::int64_t i = 0; i < page_count(); ++i)
-      page_of_plane_.push_back(static_cast<std::size_t>(i));
+    for (std::int64_t i = 0; i < slices * channels && !in_one_piece_; ++i)
+      page_of_plane_.push_back(static_cast<std::size_t>(first_plane() + i));
     take_imagej_calibration(settings);
+  }
+
+  /// Pages of an ImageJ hyperstack before those of the frame read: the order is channel, slice,
+  /// frame.
+  std::int64_t first_plane() const {
+    return summary_.frame * summary_.file_size[2] * page_channels();
   }
 
   /// ImageJ writes stacks of more than 4 GB with the directory of the first page alone; the planes
@@ -185,11 +189,13 @@ class TiffSource : public ImageSource {
   }
 
   void read_one_piece(const Box& box, double* values) const {
-    const std::array<std::int64_t, 3> all{summary_.file_size[0], summary_.file_size[1],
-                                          summary_.file_size[2] * summary_.channels};
+    const std::array<std::int64_t, 3> all{
+        summary_.file_size[0], summary_.file_size[1],
+
+        summary_.frames * summary_.file_size[2] * summary_.channels};
     for (std::int64_t k = 0; k < box.count[2]; ++k) {
       Box plane = box;
-      plane.first[2] = (box.first[2] + k) * summary_.channels + summary_.channel;
+      plane.first[2] = first_plane() + (box.first[2] + k) * summary_.channels + summary_.channel;
       plane.count[2] = 1;
       read_raw(summary_.path, start_, summary_.type, pages_.is_swapped(), all, plane,
                values + k * box.count[0] * box.count[1]);
@@ -203,7 +209,7 @@ class TiffSource : public ImageSource {
     if (!ome)
       refuse(summary_.path,
              "has a broken OME-XML description" + (problem.empty() ? "" : " (" + problem + ")"));
-    if (ome->size_t > 1) refuse_time_series(ome->size_t);
+    set_frames(std::max<std::int64_t>(ome->size_t, 1));
     const std::int64_t samples = first_page().samples;
     const std::int64_t z_size = std::max<std::int64_t>(ome->size_z, 1);
     const std::int64_t c_size = std::max<std::int64_t>(ome->size_c / samples, 1);
@@ -227,27 +233,27 @@ class TiffSource : public ImageSource {
     for (int axis = 0; axis < 3; ++axis) take_ome_size(*ome, axis);
   }
 
+  /// Takes the pages of the frame read from the planes that the description deals out, in its
+  /// order of dimensions.
   void deal_ome_pages(const OmePixels& ome, std::int64_t z_size, std::int64_t c_size) {
     const std::size_t no_page = pages_.pages().size();
     page_of_plane_.assign(static_cast<std::size_t>(z_size * c_size), no_page);
-    const bool c_first = ome.dimension_order.find('C') < ome.dimension_order.find('Z');
     const std::string own_name = std::filesystem::path(summary_.path).filename().string();
     const std::vector<OmePlanes> all{OmePlanes{}};
-    const std::int64_t samples = first_page().samples;
+    const std::array<std::int64_t, 3> sizes{z_size, c_size, summary_.frames};
     for (const OmePlanes& planes : ome.planes.empty() ? all : ome.planes) {
       if (!planes.file.empty() && planes.file != own_name) continue;
-      const std::int64_t count = planes.count < 0 ? z_size * c_size : planes.count;
-      std::int64_t z = planes.first_z, c = planes.first_c / samples;
-      for (std::int64_t i = 0; i < count && z < z_size && c < c_size && z >= 0 && c >= 0; ++i) {
+      std::array<std::int64_t, 3> at{planes.first_z, planes.first_c / first_page().samples,
+                                     planes.first_t};  // z, c, t
+      for (std::int64_t i = 0; i != planes.count; ++i) {
         const std::int64_t page = planes.page + i;
-        if (page < 0 || page >= page_count()) break;
-        page_of_plane_[static_cast<std::size_t>(z * c_size + c)] = static_cast<std::size_t>(page);
-        std::int64_t& fast = c_first ? c : z;
-        std::int64_t& slow = c_first ? z : c;
-        if (++fast == (c_first ? c_size : z_size)) {
-          fast = 0;
-          ++slow;
-        }
+        const bool inside = at[0] >= 0 && at[0] < z_size && at[1] >= 0 && at[1] < c_size &&
+                            at[2] >= 0 && at[2] < summary_.frames;
+        if (!inside || page < 0 || page >= page_count()) break;
+        if (at[2] == summary_.frame)
+          page_of_plane_[static_cast<std::size_t>(at[0] * c_size + at[1])] =
+              static_cast<std::size_t>(page);
+        advance(ome.dimension_order, sizes, at);
       }
     }
     const auto missing = std::find(page_of_plane_.begin(), page_of_plane_.end(), no_page);
@@ -258,6 +264,20 @@ class TiffSource : public ImageSource {
                           index / static_cast<long long>(c_size),
                           index % static_cast<long long>(c_size)));
     }
+  }
+
+  /// The next plane in an order such as "XYCZT"; beyond the last, its slowest index leaves its
+  /// size.
+  static void advance(const std::string& order, const std::array<std::int64_t, 3>& sizes,
+                      std::array<std::int64_t, 3>& at) {
+    std::size_t axis = 0;
+    for (const char name : order) {
+      axis = std::string("ZCT").find(name);
+      if (axis > 2) continue;
+      if (++at[axis] < sizes[axis]) return;
+      at[axis] = 0;
+    }
+    if (axis < 3) at[axis] = sizes[axis];
   }
 
   void take_ome_size(const OmePixels& ome, int axis) {

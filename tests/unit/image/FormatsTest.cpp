@@ -5,14 +5,11 @@
 #include <tiff.h>
 #include <zlib.h>
 
-#include "WriteFiles.hpp"
-#include "image/ReadVolume.hpp"
+#include "ReadBack.hpp"
 #include "image/WriteTiff.hpp"
 
 namespace stroma::test {
 namespace {
-
-using Size = std::array<std::int64_t, 3>;
 
 const std::vector<ValueType> integer_types = {
     {Kind::unsigned_integer, 1}, {Kind::signed_integer, 1},   {Kind::unsigned_integer, 2},
@@ -28,24 +25,7 @@ image::IntensityVolume read(const std::string& path, int channel = 0,
   parameters.channel = channel;
   if (!dataset.empty()) parameters.dataset = dataset;
   parameters.region = region;
-  return image::read_volume(base::Communicator::world(), parameters, "", summary);
-}
-
-/// Every value of this rank's slab is the pattern's.
-void expect_pattern(const image::IntensityVolume& volume, const Size& size, const Pattern& pattern,
-                    std::int64_t channel = 0, const Size& first = {0, 0, 0}) {
-  ASSERT_EQ(volume.size, size);
-  ASSERT_EQ(base::Communicator::world().sum(volume.planes), size[2]);
-  std::size_t voxel = 0;
-  for (std::int64_t z = 0; z < volume.planes; ++z) {
-    for (std::int64_t y = 0; y < size[1]; ++y) {
-      for (std::int64_t x = 0; x < size[0]; ++x, ++voxel) {
-        ASSERT_EQ(volume.values[voxel],
-                  pattern(first[0] + x, first[1] + y, first[2] + volume.first_plane + z, channel))
-            << "at " << x << ", " << y << ", " << z + volume.first_plane;
-      }
-    }
-  }
+  return read_back(parameters, summary);
 }
 
 TEST(Formats, TiffOfEveryTypeInBothByteOrders) {

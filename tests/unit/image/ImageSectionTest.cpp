@@ -33,12 +33,13 @@ void expect_mistake(const std::string& image, const std::string& words) {
 TEST(ImageSection, ReadsAFileAndItsSegmentation) {
   const image::ImageParameters p =
       read(
-          "    File: gel.tif\n    Channel: 1\n    Voxel Size [um]: [1.05, 1.05, 1.0]\n"
+          "    File: gel.tif\n    Channel: 1\n    Frame: 2\n    Voxel Size [um]: [1.05, 1.05, 1.0]\n"
           "    Region: [0, 1, 2, 3, 4, 5]\n    Segmentation:\n      Method: Threshold\n"
           "      Threshold: 90.0\n      Smoothing [um]: 0.5\n      Smallest Object: 27\n")
           .image;
   EXPECT_EQ(p.file, "gel.tif");
   EXPECT_EQ(p.channel, 1);
+  EXPECT_EQ(p.frame, 2);
   EXPECT_EQ(p.voxel_size, (std::array<double, 3>{1.05, 1.05, 1.0}));
   EXPECT_EQ(p.region, (std::array<int, 6>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(p.segmentation.method, image::SegmentationParameters::Method::threshold);
