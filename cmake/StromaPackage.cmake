@@ -72,4 +72,8 @@ add_library(stroma_options INTERFACE)
 target_compile_options(stroma_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
 if(STROMA_NATIVE)
   target_compile_options(stroma_options INTERFACE -march=native)
+  # GCC 14.2 ends with an internal error ("vect_transform_stmt", pass slp) in some kernels where there is AVX-512.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION MATCHES "^14\\.")
+    target_compile_options(stroma_options INTERFACE -fno-tree-slp-vectorize)
+  endif()
 endif()
