@@ -1,6 +1,7 @@
 #include "image/ImageSource.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -61,6 +62,20 @@ Format format_of(const std::string& path) {
          "NRRD, MetaImage, NIfTI, HDF5");
 }
 
+/// IEEE 754's 16 bits, which C++17 has no type for.
+struct Half {
+  std::uint16_t bits;
+
+  explicit operator double() const {
+    const int exponent = bits >> 10 & 0x1f;
+    const double fraction = (bits & 0x3ff) / 1024.0;
+    const double size = exponent == 0    ? std::ldexp(fraction, -14)
+                        : exponent == 31 ? (fraction == 0.0 ? HUGE_VAL : std::nan(""))
+                                         : std::ldexp(1.0 + fraction, exponent - 15);
+    return bits & 0x8000 ? -size : size;
+  }
+};
+
 template <class T>
 void decode_as(const unsigned char* bytes, bool swapped, std::int64_t count, std::int64_t stride,
                double* values) {
@@ -118,7 +133,8 @@ void decode(const unsigned char* bytes, const ValueType& type, bool swapped, std
     decode_as<decltype(example)>(bytes, swapped, count, stride, values);
   };
   using Kind = ValueType::Kind;
-  if (type.kind == Kind::floating) return type.bytes == 4 ? as(float{}) : as(double{});
+  if (type.kind == Kind::floating)
+    return type.bytes == 2 ? as(Half{}) : type.bytes == 4 ? as(float{}) : as(double{});
   const bool has_sign = type.kind == Kind::signed_integer;
   switch (type.bytes) {
     case 1:

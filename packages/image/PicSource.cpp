@@ -3,7 +3,7 @@
 /// bit values, then notes of 96 bytes, all little-endian. ITK's reader is not used: it refuses
 /// 16-bit files that carry notes, and looks for the notes of a stack behind its first plane.
 
-#include <cstdio>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -54,23 +54,32 @@ class PicSource : public ImageSource {
     bool more = true;
     while (more && file.read(note, note_bytes)) {
       more = note[2] || note[3] || note[4] || note[5];
-      std::istringstream text(std::string(note + 16, note_bytes - 16));
+      const std::string line(note + 16, note_bytes - 16);
+      std::istringstream text(line.substr(0, line.find('\0')));
       std::string name, unit;
       int type = 0;
       double origin = 0.0, increment = 0.0;
       text >> name >> type >> origin >> increment >> unit;
       const bool is_axis = name == "AXIS_2" || name == "AXIS_3" || name == "AXIS_4";
-      if (!is_axis || (type & 0xff) != 1 || !(increment > 0.0)) continue;
-      const int axis = name[5] - '2';
-      const auto scale = micrometres_per(unit.substr(0, unit.find('\0')));
-      if (scale) {
-        summary_.voxel_size.set(axis, increment * *scale, "PIC notes");
-      } else {
-        summary_.notes.push_back(
-            base::format("the note %s gives %g without a known unit of length; not used",
-                         name.c_str(), increment));
-      }
+      if (!is_axis || (type & 0xff) != 1 || !(increment > 0.0) || !std::isfinite(increment))
+        continue;
+      take_axis(name[5] - '2', name, increment, unit);
     }
+  }
+
+  /// The microscopes' own unit is the micrometre; some writers leave it out.
+  void take_axis(int axis, const std::string& name, double increment, const std::string& unit) {
+    const auto scale = unit.empty() ? std::optional<double>(1.0) : micrometres_per(unit);
+    if (!scale) {
+      summary_.notes.push_back(
+          base::format("the note %s gives %g %s, which is no unit of length known here; not used",
+                       name.c_str(), increment, unit.c_str()));
+      return;
+    }
+    summary_.voxel_size.set(axis, increment * *scale, "PIC notes");
+    if (unit.empty())
+      summary_.notes.push_back(base::format("the note %s gives %g without a unit: taken as um",
+                                            name.c_str(), increment));
   }
 };
 

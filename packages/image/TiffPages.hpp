@@ -9,10 +9,10 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "image/ImageSummary.hpp"
+#include "image/Volume.hpp"
 
 namespace stroma::image {
 
@@ -35,14 +35,20 @@ class TiffMessages {
 struct TiffPage {
   std::uint64_t offset = 0;  ///< of its directory
   std::int64_t width = 0, height = 0;
+  std::int64_t depth = 1;      ///< planes in it (ImageDepth)
   std::int64_t samples = 1;    ///< values per pixel
   bool samples_apart = false;  ///< each sample has planes of its own
   bool tiled = false;
   int compression = 1;
   int photometric = 1;
-  ValueType type;
+  int bits = 8;         ///< of a value, as stored
+  ValueType type;       ///< of a value, as read
   std::string trouble;  ///< why it cannot be read here; empty: it can
 };
+
+/// The most that a page's compression can gain, by the rules of its format; infinity where there is
+/// no such limit.
+double largest_expansion_of(const TiffPage& page);
 
 /// What the first page says of the whole file.
 struct TiffTags {
@@ -64,27 +70,35 @@ class TiffPages {
   std::uint64_t file_length() const { return length_; }
   bool is_swapped() const { return swapped_; }
 
-  /// \throws base::InputError when strips or tiles of the page lie beyond the end of the file
-  void check_extent(std::size_t page);
+  /// \throws base::InputError when strips or tiles of the page lie beyond the end of the file, or
+  ///   are larger than what they hold, or than any use
+  void check_pieces(std::size_t page);
   /// Where the values of an uncompressed page in one piece start; nothing when it is in several
   /// pieces.
   std::optional<std::uint64_t> start_of_values(std::size_t page);
-  /// Rows [first_row, first_row + rows), columns [first_column, ...) of one sample of a page.
-  /// \throws base::InputError when they cannot be decoded
-  void read(std::size_t page, std::int64_t sample, std::int64_t first_column, std::int64_t columns,
-            std::int64_t first_row, std::int64_t rows, double* values);
+  /// A box of one sample of a page, x fastest; along z, of its depth.
+  /// \throws base::InputError when it cannot be decoded
+  void read(std::size_t page, std::int64_t sample, const Box& box, double* values);
 
  private:
   struct Close {
     void operator()(TIFF* file) const { TIFFClose(file); }
   };
 
+  /// What a page's values are cut into: its strips or tiles.
+  struct Pieces {
+    std::int64_t width = 0, height = 0, depth = 1;
+    std::size_t row_bytes = 0, bytes = 0;  ///< of a piece's row, and of all of it, decoded
+  };
+
   void read_directories();
   void read_tags();
   TiffPage describe_page();
-  std::pair<std::uint32_t, std::uint32_t> rational(std::uint64_t directory,
-                                                   std::uint16_t tag) const;
   void go_to(std::size_t page);
+  Pieces pieces_of(std::size_t page) const;
+  /// Decodes the piece that holds a pixel of a plane, and as much of it as the page has.
+  void read_piece(std::size_t page, const Pieces& pieces, std::int64_t x, std::int64_t y,
+                  std::int64_t z, std::int64_t sample, std::vector<unsigned char>& bytes);
 
   std::string path_;
   std::uint64_t length_ = 0;

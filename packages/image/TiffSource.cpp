@@ -1,45 +1,37 @@
 /// \file
 /// How the pages of a TIFF file stack up to a volume: plain stacks, ImageJ's (hyper)stacks,
-/// OME-TIFF.
+/// OME-TIFF, MetaMorph's and Zeiss' stacks.
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <map>
-#include <sstream>
 
 #include "base/Log.hpp"
+#include "image/ImageJDescription.hpp"
 #include "image/ImageSource.hpp"
-#include "image/LengthUnit.hpp"
+#include "image/MicroscopeTags.hpp"
 #include "image/OmeXml.hpp"
+#include "image/TiffLengths.hpp"
 #include "image/TiffPages.hpp"
+#include "image/WholeNumber.hpp"
 
 namespace stroma::image {
 namespace {
 
-/// "key=value" lines of ImageJ's description.
-std::map<std::string, std::string> imagej_settings(const std::string& description) {
-  std::map<std::string, std::string> settings;
-  std::istringstream lines(description);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    const std::size_t equals = line.find('=');
-    if (equals != std::string::npos)
-      settings.emplace(line.substr(0, equals), line.substr(equals + 1));
+/// The array's shape in the description that tifffile writes: {"shape": [6, 10, 14]}.
+std::vector<std::int64_t> tifffile_shape(const std::string& description) {
+  static const std::string start = "{\"shape\": [";
+  std::vector<std::int64_t> shape;
+  if (description.compare(0, start.size(), start) != 0) return shape;
+  const std::size_t end = description.find(']', start.size());
+  if (end == std::string::npos) return shape;
+  std::string numbers = description.substr(start.size(), end - start.size()) + ",";
+  for (std::size_t comma = numbers.find(','); comma != std::string::npos;
+       comma = numbers.find(',')) {
+    shape.push_back(whole_number(numbers.substr(0, comma)).value_or(0));
+    numbers.erase(0, comma + 1);
   }
-  return settings;
-}
-
-/// 1 / resolution. Where a decimal of at most 6 digits gives the same tag, up to the rounding of
-/// its writer, it is that decimal: 952381 / 1000000 pixels per micron is 1.05 um, not 1.0499999475.
-double length_of_pixel(double resolution, double rounding) {
-  const double length = 1.0 / resolution;
-  for (int digits = 1; digits <= 6; ++digits) {
-    const double candidate = std::strtod(base::format("%.*g", digits, length).c_str(), nullptr);
-    if (std::abs(1.0 / candidate - resolution) <= rounding) return candidate;
-  }
-  return length;
+  return shape;
 }
 
 class TiffSource : public ImageSource {
@@ -48,311 +40,335 @@ class TiffSource : public ImageSource {
     summary_.path = request.path;
     summary_.channel = request.channel;
     summary_.frame = request.frame;
-    check_pages();
     const std::string& description = pages_.tags().description;
-    if (description.compare(0, 7, "ImageJ=") == 0) {
-      stack_imagej(imagej_settings(description));
+    TiffDirectory directory(request.path, pages_.pages().front().offset);
+    if (is_imagej(description)) {
+      stack_imagej(description);
     } else if (description.find("<OME") != std::string::npos ||
                description.find(":OME ") != std::string::npos) {
       stack_ome(description);
+    } else if (const auto stk = read_stk(directory)) {
+      stack_metamorph(*stk);
+    } else if (const auto lsm = read_lsm(directory)) {
+      stack_zeiss(*lsm);
     } else {
       stack_plain();
     }
     check_channel(request.path, request.channel, summary_.channels);
-    for (std::int64_t z = 0; z < summary_.file_size[2] && !in_one_piece_; ++z)
-      pages_.check_extent(page_of(z));
+    check_pages_read();
+    note_what_is_odd();
   }
 
   void read(const Box& box, double* values) override {
-    if (in_one_piece_) return read_one_piece(box, values);
-    const std::int64_t sample = summary_.channel % first_page().samples;
-    for (std::int64_t k = 0; k < box.count[2]; ++k) {
-      pages_.read(page_of(box.first[2] + k), sample, box.first[0], box.count[0], box.first[1],
-                  box.count[1], values + k * box.count[0] * box.count[1]);
+    const std::int64_t plane_voxels = box.count[0] * box.count[1];
+    for (std::int64_t k = 0, run = 1; k < box.count[2]; k += run) {
+      const std::int64_t plane = plane_of(box.first[2] + k);
+      // Planes of one page are read together: they may lie in the same tiles.
+      run = 1;
+      while (k + run < box.count[2] && plane_of(box.first[2] + k + run) == plane + run &&
+             (in_one_piece_ || page_of(plane + run) == page_of(plane)))
+        ++run;
+      Box part = box;
+      part.first[2] = in_one_piece_ ? plane : plane % reference_.depth;
+      part.count[2] = run;
+      double* const to = values + k * plane_voxels;
+      if (in_one_piece_) {
+        read_raw(summary_.path, start_, reference_.type, pages_.is_swapped(),
+                 {reference_.width, reference_.height, plane_count()}, part, to);
+      } else {
+        pages_.read(page_of(plane), summary_.channel % reference_.samples, part, to);
+      }
     }
+    if (intercept_ == 0.0 && slope_ == 1.0) return;
+    for (double* value = values; value < values + box.voxels(); ++value)
+      *value = intercept_ + slope_ * *value;
   }
 
  private:
-  const TiffPage& first_page() const { return pages_.pages().front(); }
-  std::int64_t page_count() const { return static_cast<std::int64_t>(pages_.pages().size()); }
-  std::int64_t page_channels() const { return summary_.channels / first_page().samples; }
+  // Planes of the file are counted from page to page, and within a page along its depth.
 
-  /// The page that holds plane z of the channel read.
-  std::size_t page_of(std::int64_t z) const {
-    const std::int64_t c = summary_.channel / first_page().samples;
-    return page_of_plane_[static_cast<std::size_t>(z * page_channels() + c)];
+  std::int64_t plane_count() const {
+    return in_one_piece_ ? planes_in_piece_
+                         : static_cast<std::int64_t>(pages_.pages().size()) * reference_.depth;
+  }
+  std::size_t page_of(std::int64_t plane) const {
+    return static_cast<std::size_t>(plane / reference_.depth);
+  }
+  /// The plane of the file that is plane z of the channel and frame read.
+  std::int64_t plane_of(std::int64_t z) const {
+    const std::int64_t c = summary_.channel / reference_.samples;
+    return plane_of_[static_cast<std::size_t>(z * (summary_.channels / reference_.samples) + c)];
   }
 
-  void check_pages() {
-    const TiffPage& first = first_page();
-    if (!first.trouble.empty()) {
-      refuse(
-          summary_.path,
-          first.trouble +
-              "; admissible: real values, integers of 8, 16 or 32 bits or floats of 32 or 64 bits");
+  /// The page that all others must be like.
+  void refer_to(std::size_t page) {
+    reference_ = pages_.pages()[page];
+    if (!reference_.trouble.empty()) {
+      refuse(summary_.path, reference_.trouble +
+                                "; admissible: real values, integers of 1 to 16, 32 or 64 bits or "
+                                "floats of 16, 32 or 64 bits");
     }
-    const double expansion = first.compression == COMPRESSION_NONE ? 1.0 : largest_expansion;
-    check_size(summary_.path, {first.width, first.height, page_count()}, first.samples,
-               first.type.bytes, pages_.file_length(), expansion);
-    for (std::size_t i = 1; i < pages_.pages().size(); ++i) {
-      const TiffPage& page = pages_.pages()[i];
-      const bool same = page.width == first.width && page.height == first.height &&
-                        page.samples == first.samples && page.type.kind == first.type.kind &&
-                        page.type.bytes == first.type.bytes;
-      if (same && page.trouble.empty()) continue;
-      refuse(
-          summary_.path,
-          base::format("page %zu is %lld x %lld pixels of %lld %s; page 0 is %lld x %lld of %lld "
-                       "%s; admissible: pages "
-                       "of one kind",
-                       i, static_cast<long long>(page.width), static_cast<long long>(page.height),
-                       static_cast<long long>(page.samples), page.type.name().c_str(),
-                       static_cast<long long>(first.width), static_cast<long long>(first.height),
-                       static_cast<long long>(first.samples), first.type.name().c_str()));
+    summary_.type = reference_.type;
+    if (reference_.depth > 1 && !reference_.tiled) {
+      if (pages_.pages().size() > 1)
+        refuse(summary_.path, "has several pages of several planes each; not supported");
+      use_one_piece(reference_.depth, "its ImageDepth tag speaks");
     }
-    summary_.type = first.type;
   }
 
-  void set_size(std::int64_t planes, std::int64_t stacked_channels) {
-    summary_.file_size = {first_page().width, first_page().height, planes};
-    summary_.channels = stacked_channels * first_page().samples;
-  }
-
-  void set_frames(std::int64_t frames) {
+  /// Sizes, once it is known that the file has these planes.
+  void set_size(std::int64_t planes, std::int64_t stacked_channels, std::int64_t frames) {
+    summary_.file_size = {reference_.width, reference_.height, planes};
+    summary_.channels = stacked_channels * reference_.samples;
     summary_.frames = frames;
     check_frame(summary_.path, summary_.frame, frames);
+    if (in_one_piece_) return;
+    const double packing = 8.0 * reference_.type.bytes / reference_.bits;
+    check_size(summary_.path, {reference_.width, reference_.height, planes * stacked_channels},
+               reference_.samples, reference_.type.bytes, pages_.file_length(),
+               packing * largest_expansion_of(reference_));
+  }
+
+  /// Planes that follow one another: channel fastest, then z, then frame.
+  void stack_in_order(std::int64_t planes, std::int64_t channels, std::int64_t frames) {
+    set_size(planes, channels, frames);
+    const std::int64_t count = planes * channels;
+    for (std::int64_t i = 0; i < count; ++i) plane_of_.push_back(summary_.frame * count + i);
+  }
+
+  void check_pages_read() {
+    if (in_one_piece_) return;
+    for (std::int64_t z = 0; z < summary_.file_size[2]; ++z) {
+      const std::size_t i = page_of(plane_of(z));
+      const TiffPage& page = pages_.pages()[i];
+      const TiffPage& like = reference_;
+      const bool same = page.width == like.width && page.height == like.height &&
+                        page.depth == like.depth && page.samples == like.samples &&
+                        page.bits == like.bits && page.type.kind == like.type.kind &&
+                        page.photometric == like.photometric;
+      if (!same || !page.trouble.empty()) {
+        refuse(summary_.path, base::format("page %zu is %s; the first is %s; admissible: pages of "
+                                           "one kind",
+                                           i, text_of(page).c_str(), text_of(like).c_str()));
+      }
+      pages_.check_pieces(i);
+    }
+  }
+
+  static std::string text_of(const TiffPage& page) {
+    return base::format("%lld x %lld pixels of %lld %s (photometric %d)",
+                        static_cast<long long>(page.width), static_cast<long long>(page.height),
+                        static_cast<long long>(page.samples), page.type.name().c_str(),
+                        page.photometric);
+  }
+
+  void note_what_is_odd() {
+    if (reference_.bits % 8 != 0)
+      summary_.notes.push_back(base::format("its values are packed to %d bits", reference_.bits));
+    if (reference_.photometric == PHOTOMETRIC_MINISWHITE) {
+      summary_.notes.push_back(
+          "0 is white in this file (MinIsWhite); the values are those stored, as ImageJ states "
+          "them: what looks dark has the larger value");
+    }
+    if (reference_.photometric == PHOTOMETRIC_PALETTE) {
+      summary_.notes.push_back(
+          "the values are those stored: indices into the file's table of colours, which need not "
+          "rise with brightness");
+    }
+    const std::int64_t named =
+        summary_.file_size[2] * summary_.frames * (summary_.channels / reference_.samples);
+    if (named < plane_count() && images_ == 1) {
+      summary_.notes.push_back(base::format(
+          "%lld of the file's %lld planes are not in its description; they are not read",
+          static_cast<long long>(plane_count() - named), static_cast<long long>(plane_count())));
+    }
   }
 
   void stack_plain() {
-    summary_.format = page_count() == 1 ? "TIFF" : "TIFF, multi-page";
-    set_size(page_count(), 1);
-    for (std::int64_t i = 0; i < page_count(); ++i)
-      page_of_plane_.push_back(static_cast<std::size_t>(i));
-    take_resolution_by_tag_unit();
+    refer_to(0);
+    const std::vector<std::int64_t> shape = tifffile_shape(pages_.tags().description);
+    double values = 1.0;
+    for (const std::int64_t count : shape) values *= static_cast<double>(count);
+    const double planes = values / static_cast<double>(reference_.width) /
+                          static_cast<double>(reference_.height * reference_.samples);
+    if (plane_count() == 1 && planes > 1.0 && planes == std::floor(planes) && planes < 1e9)
+      use_one_piece(static_cast<std::int64_t>(planes), "its description speaks");
+    if (std::count_if(shape.begin(), shape.end(), [](auto n) { return n > 1; }) >
+        3 + (reference_.samples > 1)) {
+      std::string text;
+      for (const std::int64_t count : shape)
+        text += (text.empty() ? "" : " x ") + std::to_string(count);
+      summary_.notes.push_back("its description gives the shape " + text +
+                               ", without saying what the axes are; all planes are stacked");
+    }
+    note_bytes_behind();
+    summary_.format = plane_count() == 1 ? "TIFF" : "TIFF, multi-page";
+    stack_in_order(plane_count(), 1, 1);
+    take_resolution_lengths(summary_, pages_.tags());
   }
 
-  void stack_imagej(const std::map<std::string, std::string>& settings) {
-    const auto integer = [&](const char* key, std::int64_t otherwise) -> std::int64_t {
-      const auto found = settings.find(key);
-      return found == settings.end() ? otherwise : std::strtoll(found->second.c_str(), nullptr, 10);
-    };
-    const std::int64_t images = integer("images", page_count());
-    const std::int64_t channels = integer("channels", 1), frames = integer("frames", 1);
-    if (channels < 1 || frames < 1 || images < 1)
-      refuse(summary_.path, "has senseless ImageJ tags (no images)");
-    const std::int64_t slices = integer("slices", images / (channels * frames));
-    if (slices * channels * frames != images) {
-      refuse(
-          summary_.path,
-          base::format("its ImageJ tags speak of %lld images, but of %lld channels x %lld slices",
-                       static_cast<long long>(images), static_cast<long long>(channels),
-                       static_cast<long long>(slices)));
-    }
-    summary_.format = channels > 1 ? "TIFF, ImageJ hyperstack"
-                      : images > 1 ? "TIFF, ImageJ stack"
-                                   : "TIFF, ImageJ";
-    set_frames(frames);
-    set_size(slices, channels);
-    if (page_count() == 1 && images > 1) {
-      use_one_piece(images);
-    } else if (page_count() != images) {
-      refuse(
-          summary_.path,
-          base::format("its ImageJ tags speak of %lld images, but it holds %lld pages (truncated?)",
-                       static_cast<long long>(images), static_cast<long long>(page_count())));
-    }
-    for (std::int64_t i = 0; i < slices * channels && !in_one_piece_; ++i)
-      page_of_plane_.push_back(static_cast<std::size_t>(first_plane() + i));
-    take_imagej_calibration(settings);
+  /// More planes may follow the only page that has a directory, by a custom not known here.
+  void note_bytes_behind() {
+    constexpr std::uint64_t metadata = 65536;  // that much else may follow
+    if (plane_count() > 1) return;
+    const auto start = pages_.start_of_values(0);
+    const auto page_bytes = static_cast<std::uint64_t>(reference_.width * reference_.height *
+                                                       reference_.samples * reference_.bits / 8);
+    if (!start || pages_.file_length() - *start < 2 * page_bytes + metadata) return;
+    summary_.notes.push_back(
+        base::format("%llu bytes follow the values of the only page; they are not read",
+                     static_cast<unsigned long long>(pages_.file_length() - *start - page_bytes)));
   }
 
-  /// Pages of an ImageJ hyperstack before those of the frame read: the order is channel, slice,
-  /// frame.
-  std::int64_t first_plane() const {
-    return summary_.frame * summary_.file_size[2] * page_channels();
+  void stack_imagej(const std::string& description) {
+    refer_to(0);
+    std::string problem;
+    const auto found = read_imagej(description, plane_count(), problem);
+    if (!found) refuse(summary_.path, "its ImageJ tags speak of " + problem);
+    const ImageJDescription& imagej = *found;
+    if (plane_count() == 1 && imagej.images > 1)
+      use_one_piece(imagej.images, "its ImageJ tags speak");
+    if (plane_count() != imagej.images) {
+      refuse(summary_.path,
+             base::format(
+                 "its ImageJ tags speak of %lld images, but it holds %lld pages (truncated?)",
+                 static_cast<long long>(imagej.images), static_cast<long long>(plane_count())));
+    }
+    summary_.format = imagej.channels > 1 || imagej.frames > 1 ? "TIFF, ImageJ hyperstack"
+                      : imagej.images > 1                      ? "TIFF, ImageJ stack"
+                                                               : "TIFF, ImageJ";
+    stack_in_order(imagej.slices, imagej.channels, imagej.frames);
+    summary_.notes.insert(summary_.notes.end(), imagej.notes.begin(), imagej.notes.end());
+    calibrate_values(imagej);
+    take_imagej_lengths(summary_, pages_.tags(), imagej);
+  }
+
+  /// ImageJ calibrates values of 8 and 16 bits only.
+  void calibrate_values(const ImageJDescription& imagej) {
+    const ValueType stored = summary_.type;
+    if (!imagej.calibrated() || !stored.is_integer() || stored.bytes > 2) return;
+    intercept_ = imagej.intercept;
+    slope_ = imagej.slope;
+    summary_.notes.push_back(base::format(
+        "ImageJ's calibration of values is used: %g + %g x stored", intercept_, slope_));
+    const bool whole = slope_ == 1.0 && intercept_ == std::floor(intercept_);
+    const bool signed_16 = stored.kind == ValueType::Kind::unsigned_integer && stored.bytes == 2 &&
+                           intercept_ == -32768.0;
+    summary_.type = !whole || std::abs(intercept_) > 1e9
+                        ? ValueType{ValueType::Kind::floating, 8}
+                        : ValueType{ValueType::Kind::signed_integer, signed_16 ? 2 : 4};
   }
 
   /// ImageJ writes stacks of more than 4 GB with the directory of the first page alone; the planes
-  /// follow it.
-  void use_one_piece(std::int64_t images) {
-    const TiffPage& page = first_page();
+  /// follow it. MetaMorph does so always.
+  /// \param says  who tells of them: "its ImageJ tags speak"
+  void use_one_piece(std::int64_t planes, const std::string& says) {
     const auto start = pages_.start_of_values(0);
-    if (!start || page.samples != 1) {
-      refuse(summary_.path,
-             base::format("its ImageJ tags speak of %lld images, but it holds 1 page (truncated?)",
-                          static_cast<long long>(images)));
+    if (!start || reference_.samples != 1 || reference_.bits % 8 != 0) {
+      refuse(summary_.path, says + base::format(" of %lld images, but it holds 1 page (truncated?)",
+                                                static_cast<long long>(planes)));
     }
-    check_size(summary_.path, {page.width, page.height, images}, 1, page.type.bytes,
-               pages_.file_length() - std::min(*start, pages_.file_length()), 1.0);
+    check_size(summary_.path, {reference_.width, reference_.height, planes}, 1,
+               reference_.type.bytes, pages_.file_length() - std::min(*start, pages_.file_length()),
+               1.0);
     in_one_piece_ = true;
+    planes_in_piece_ = planes;
     start_ = *start;
   }
 
-  void read_one_piece(const Box& box, double* values) const {
-    const std::array<std::int64_t, 3> all{
-        summary_.file_size[0], summary_.file_size[1],
-
-        summary_.frames * summary_.file_size[2] * summary_.channels};
-    for (std::int64_t k = 0; k < box.count[2]; ++k) {
-      Box plane = box;
-      plane.first[2] = first_plane() + (box.first[2] + k) * summary_.channels + summary_.channel;
-      plane.count[2] = 1;
-      read_raw(summary_.path, start_, summary_.type, pages_.is_swapped(), all, plane,
-               values + k * box.count[0] * box.count[1]);
-    }
-  }
-
   void stack_ome(const std::string& description) {
-    summary_.format = "OME-TIFF";
     std::string problem;
     const std::optional<OmePixels> ome = read_ome_xml(description, problem);
-    if (!ome)
+    if (!ome) {
+      summary_.notes.push_back("its OME-XML is broken (" + problem + "): read as a plain stack");
+      return stack_plain();
+    }
+    if (!ome->contradiction.empty())
+      refuse(summary_.path, "its OME-XML says " + ome->contradiction +
+                                ", which cannot be; admissible: counts from 1 to 10^9");
+    if (ome->is_latin1)
+      summary_.notes.push_back("its OME-XML is not the UTF-8 it should be; read as Latin-1");
+    summary_.format = "OME-TIFF";
+    images_ = ome->images;
+    if (images_ > 1)
+      summary_.notes.push_back(
+          base::format("the file holds %d images (series); the first is read", images_));
+
+    std::string renamed;
+    const std::string own_name = std::filesystem::path(summary_.path).filename().string();
+    const std::vector<OmePlanes> planes = planes_of_file(*ome, own_name, renamed);
+    if (!renamed.empty()) summary_.notes.push_back(renamed);
+    const bool elsewhere = !planes.empty() && planes.front().page > 0 &&
+                           planes.front().page < static_cast<std::int64_t>(pages_.pages().size());
+    refer_to(elsewhere ? static_cast<std::size_t>(planes.front().page) : 0);
+    const std::int64_t channels = std::max<std::int64_t>(ome->size_c / reference_.samples, 1);
+    check_ome_sizes(*ome, channels);
+    set_size(ome->size_z, channels, ome->size_t);
+    plane_of_ =
+        pages_of_frame(*ome, planes, channels, reference_.samples, plane_count(), summary_.frame);
+    const auto missing = std::find(plane_of_.begin(), plane_of_.end(), -1);
+    if (missing != plane_of_.end()) {
+      const auto index = static_cast<long long>(missing - plane_of_.begin());
       refuse(summary_.path,
-             "has a broken OME-XML description" + (problem.empty() ? "" : " (" + problem + ")"));
-    set_frames(std::max<std::int64_t>(ome->size_t, 1));
-    const std::int64_t samples = first_page().samples;
-    const std::int64_t z_size = std::max<std::int64_t>(ome->size_z, 1);
-    const std::int64_t c_size = std::max<std::int64_t>(ome->size_c / samples, 1);
-    if (ome->size_x != first_page().width || ome->size_y != first_page().height) {
+             base::format("its OME-XML names no page of this file for plane %lld of channel %lld "
+                          "(part of a set of files?)",
+                          index / static_cast<long long>(channels),
+                          index % static_cast<long long>(channels)));
+    }
+    take_ome_lengths(summary_, *ome);
+  }
+
+  void check_ome_sizes(const OmePixels& ome, std::int64_t channels) {
+    if (ome.size_x != reference_.width || ome.size_y != reference_.height) {
       refuse(summary_.path,
              base::format("its OME-XML says %lld x %lld pixels, its pages have %lld x %lld",
-                          static_cast<long long>(ome->size_x), static_cast<long long>(ome->size_y),
-                          static_cast<long long>(first_page().width),
-                          static_cast<long long>(first_page().height)));
+                          static_cast<long long>(ome.size_x), static_cast<long long>(ome.size_y),
+                          static_cast<long long>(reference_.width),
+                          static_cast<long long>(reference_.height)));
     }
-    if (z_size > page_count() || c_size > page_count() || z_size * c_size > page_count()) {
+    if (ome.size_z * channels > plane_count()) {
       refuse(summary_.path,
              base::format("its OME-XML says %lld planes in %lld channels, but it holds %lld pages "
-                          "(truncated, or part of "
-                          "a set of files)",
-                          static_cast<long long>(z_size), static_cast<long long>(c_size),
-                          static_cast<long long>(page_count())));
+                          "(truncated, or part of a set of files)",
+                          static_cast<long long>(ome.size_z), static_cast<long long>(channels),
+                          static_cast<long long>(plane_count())));
     }
-    set_size(z_size, c_size);
-    deal_ome_pages(*ome, z_size, c_size);
-    for (int axis = 0; axis < 3; ++axis) take_ome_size(*ome, axis);
   }
 
-  /// Takes the pages of the frame read from the planes that the description deals out, in its
-  /// order of dimensions.
-  void deal_ome_pages(const OmePixels& ome, std::int64_t z_size, std::int64_t c_size) {
-    const std::size_t no_page = pages_.pages().size();
-    page_of_plane_.assign(static_cast<std::size_t>(z_size * c_size), no_page);
-    const std::string own_name = std::filesystem::path(summary_.path).filename().string();
-    const std::vector<OmePlanes> all{OmePlanes{}};
-    const std::array<std::int64_t, 3> sizes{z_size, c_size, summary_.frames};
-    for (const OmePlanes& planes : ome.planes.empty() ? all : ome.planes) {
-      if (!planes.file.empty() && planes.file != own_name) continue;
-      std::array<std::int64_t, 3> at{planes.first_z, planes.first_c / first_page().samples,
-                                     planes.first_t};  // z, c, t
-      for (std::int64_t i = 0; i != planes.count; ++i) {
-        const std::int64_t page = planes.page + i;
-        const bool inside = at[0] >= 0 && at[0] < z_size && at[1] >= 0 && at[1] < c_size &&
-                            at[2] >= 0 && at[2] < summary_.frames;
-        if (!inside || page < 0 || page >= page_count()) break;
-        if (at[2] == summary_.frame)
-          page_of_plane_[static_cast<std::size_t>(at[0] * c_size + at[1])] =
-              static_cast<std::size_t>(page);
-        advance(ome.dimension_order, sizes, at);
-      }
-    }
-    const auto missing = std::find(page_of_plane_.begin(), page_of_plane_.end(), no_page);
-    if (missing != page_of_plane_.end()) {
-      const auto index = static_cast<long long>(missing - page_of_plane_.begin());
+  void stack_metamorph(const StkTags& stk) {
+    refer_to(0);
+    if (stk.planes < 1) refuse(summary_.path, "its MetaMorph tags count no planes");
+    summary_.format = "TIFF, MetaMorph stack";
+    if (plane_count() == 1 && stk.planes > 1) use_one_piece(stk.planes, "its MetaMorph tags speak");
+    stack_in_order(plane_count(), 1, 1);
+    take_stk_lengths(summary_, stk);
+  }
+
+  void stack_zeiss(const LsmTags& lsm) {
+    refer_to(0);
+    if (lsm.planes < 1 || lsm.frames < 1 ||
+        static_cast<double>(lsm.planes) * static_cast<double>(lsm.frames) !=
+            static_cast<double>(plane_count())) {
       refuse(summary_.path,
-             base::format("its OME-XML names no page of this file for plane %lld of channel %lld",
-                          index / static_cast<long long>(c_size),
-                          index % static_cast<long long>(c_size)));
+             base::format("its Zeiss tags speak of %lld planes in %lld frames, but it holds %lld "
+                          "pages",
+                          static_cast<long long>(lsm.planes), static_cast<long long>(lsm.frames),
+                          static_cast<long long>(plane_count())));
     }
-  }
-
-  /// The next plane in an order such as "XYCZT"; beyond the last, its slowest index leaves its
-  /// size.
-  static void advance(const std::string& order, const std::array<std::int64_t, 3>& sizes,
-                      std::array<std::int64_t, 3>& at) {
-    std::size_t axis = 0;
-    for (const char name : order) {
-      axis = std::string("ZCT").find(name);
-      if (axis > 2) continue;
-      if (++at[axis] < sizes[axis]) return;
-      at[axis] = 0;
-    }
-    if (axis < 3) at[axis] = sizes[axis];
-  }
-
-  void take_ome_size(const OmePixels& ome, int axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    if (!ome.physical_size[a] || !(*ome.physical_size[a] > 0.0)) return;
-    if (const auto scale = micrometres_per(ome.physical_unit[a])) {
-      summary_.voxel_size.set(axis, *ome.physical_size[a] * *scale, "OME attributes");
-    } else {
-      summary_.notes.push_back("the OME attributes give the voxel size in \"" +
-                               ome.physical_unit[a] +
-                               "\", which is no unit of length known here; not used");
-    }
-  }
-
-  void take_imagej_calibration(const std::map<std::string, std::string>& settings) {
-    const auto text = [&](const char* key, const std::string& otherwise) {
-      const auto found = settings.find(key);
-      return found == settings.end() ? otherwise : found->second;
-    };
-    const std::string unit = text("unit", "");
-    if (!micrometres_per(unit)) {
-      if (!unit.empty() && unit != "pixel" && unit != "pixels")
-        summary_.notes.push_back("ImageJ's unit \"" + unit +
-                                 "\" is no unit of length known here; not used");
-      take_resolution_by_tag_unit();
-      return;
-    }
-    const TiffTags& tags = pages_.tags();
-    take_resolution(0, tags.pixels_per_unit_x, tags.rounding_x, micrometres_per(unit), unit,
-                    "ImageJ tags");
-    take_resolution(1, tags.pixels_per_unit_y, tags.rounding_y,
-                    micrometres_per(text("yunit", unit)), unit, "ImageJ tags");
-    const double spacing = std::strtod(text("spacing", "0").c_str(), nullptr);
-    const auto z_scale = micrometres_per(text("zunit", unit));
-    if (spacing > 0.0 && std::isfinite(spacing) && z_scale) {
-      summary_.voxel_size.set(2, spacing * *z_scale, "ImageJ tags");
-    } else if (spacing != 0.0) {
-      summary_.notes.push_back("ImageJ's spacing \"" + text("spacing", "") +
-                               "\" is not positive; not used");
-    }
-  }
-
-  void take_resolution_by_tag_unit() {
-    const TiffTags& tags = pages_.tags();
-    if (tags.resolution_unit == RESUNIT_NONE) return;
-    const bool inch = tags.resolution_unit == RESUNIT_INCH;
-    const std::optional<double> scale = inch ? 25400.0 : 1e4;
-    const char* unit = inch ? "inch" : "cm";
-    take_resolution(0, tags.pixels_per_unit_x, tags.rounding_x, scale, unit,
-                    "TIFF resolution tags");
-    take_resolution(1, tags.pixels_per_unit_y, tags.rounding_y, scale, unit,
-                    "TIFF resolution tags");
-  }
-
-  /// Resolutions of printers and screens are no calibration.
-  void take_resolution(int axis, const std::optional<double>& resolution, double rounding,
-                       const std::optional<double>& scale, const std::string& unit,
-                       const std::string& place) {
-    if (!resolution || !scale) return;
-    const double per_inch = *resolution * 25400.0 / *scale;
-    const bool printer = (place != "ImageJ tags" || unit == "inch") && per_inch < 1300.0;
-    if (printer) {
-      if (axis == 0)
-        summary_.notes.push_back(
-            base::format("%g pixels per %s is a printer's or a screen's resolution; not used",
-                         *resolution, unit.c_str()));
-      return;
-    }
-    summary_.voxel_size.set(axis, length_of_pixel(*resolution, rounding) * *scale, place);
+    summary_.format = "TIFF, Zeiss LSM";
+    stack_in_order(lsm.planes, 1, lsm.frames);
+    take_lsm_lengths(summary_, lsm);
   }
 
   TiffPages pages_;
-  std::vector<std::size_t> page_of_plane_;  ///< (z * page channels + c)
-  bool in_one_piece_ = false;
-  std::uint64_t start_ = 0;
+  TiffPage reference_;                    ///< what all pages read are like
+  std::vector<std::int64_t> plane_of_;    ///< [z * stacked channels + c], planes of the file
+  int images_ = 1;                        ///< that the description tells of
+  double intercept_ = 0.0, slope_ = 1.0;  ///< of ImageJ's calibration of values
+  bool in_one_piece_ =
+      false;  ///< all planes follow one another, uncompressed, behind one directory
+  std::int64_t planes_in_piece_ = 0;
+  std::uint64_t start_ = 0;  ///< of the piece in the file
 };
 
 }  // namespace
