@@ -69,6 +69,8 @@ std::string Admissible::describe(const ValueType& type) const {
     text += "one or more ";
   }
   text += noun(type.scalar, true);
+  if (type.or_word)
+    return text + (condition.empty() ? "" : ", each" + condition) + ", or " + text_description_;
   if (!text_description_.empty()) return text + ", each " + text_description_;
   return text + (condition.empty() ? "" : ", each" + condition);
 }
@@ -101,6 +103,14 @@ Admissible one_of(std::vector<std::string> choices) {
 
 Admissible not_empty() {
   Admissible result;
+  result.not_empty_ = true;
+  return result;
+}
+
+Admissible or_one_of(Admissible entries, std::vector<std::string> words) {
+  Admissible result = one_of(std::move(words));
+  result.clause_ = std::move(entries.clause_);
+  result.number_ = std::move(entries.number_);
   result.not_empty_ = true;
   return result;
 }

@@ -31,6 +31,7 @@ class Admissible {
   friend Admissible text_that(std::string description, TextRule rule);
   friend Admissible one_of(std::vector<std::string> choices);
   friend Admissible not_empty();
+  friend Admissible or_one_of(Admissible entries, std::vector<std::string> words);
 
   std::string clause_;            ///< follows the type's name: "> 0"
   std::string text_description_;  ///< stands for the type's name: "some of the letters x, y, z"
@@ -53,6 +54,8 @@ Admissible strictly_between(double low, double high);  ///< both ends excluded
 Admissible not_empty();
 /// One of these strings.
 Admissible one_of(std::vector<std::string> choices);
+/// A list with at least one entry, each under a condition on numbers, or one of these words.
+Admissible or_one_of(Admissible entries, std::vector<std::string> words);
 /// Any other condition on numbers, in words that follow "a number ", e.g. "that is a power of 2".
 Admissible number_that(std::string clause, Admissible::NumberRule rule);
 /// Any other condition on strings, in words, e.g. "some of the letters x, y and z, each once".

@@ -56,7 +56,8 @@ void collect(const Declaration& section, const void* defaults, const std::string
 
 void print_parameter(std::ostringstream& out, const ParameterDeclaration& parameter,
                      const void* defaults) {
-  out << "- `" << parameter.name << "`: " << type_name(parameter.type) << "; "
+  out << "- `" << parameter.name << "`: " << type_name(parameter.type)
+      << (parameter.type.or_word ? " or string; " : "; ")
       << parameter.admissible.describe(parameter.type) << "; ";
   const std::optional<Value> value = parameter.fetch(defaults);
   if (parameter.required) {

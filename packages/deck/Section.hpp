@@ -21,8 +21,9 @@ namespace stroma::deck {
 /// parameter is the value of that member in T{}; a std::optional member is absent by default.
 ///
 /// A member's type V may be bool, int, std::int64_t, double, std::string, std::vector or std::array
-/// of int, std::int64_t, double or std::string, or std::optional of one of these. Physical units
-/// stand in the parameter's name.
+/// of int, std::int64_t, double or std::string, std::variant of such an array and a std::string (a
+/// list, or a word in its place), or std::optional of one of these. Physical units stand in the
+/// parameter's name.
 ///
 ///     struct Grid { std::array<double, 3> element_size; bool reset = false; };
 ///     Section<Grid> section("Grid", "The background grid.");

@@ -265,11 +265,21 @@ ValueType guess(const std::vector<Entry>& entries) {
   return {Scalar::text, false, 0};
 }
 
+/// Whether a parameter that may be a list or a word was given as a word.
+bool is_word(const tree::Parameter& parameter) {
+  if (parameter.form == tree::Form::sequence) return false;
+  if (parameter.form == tree::Form::typed_text) return parameter.type == "string";
+  const std::string text = trimmed(parameter.text);
+  const bool is_bracketed = !text.empty() && (text.front() == '{' || text.front() == '[');
+  return parameter.form != tree::Form::untyped_text || !is_bracketed;
+}
+
 }  // namespace
 
 Interpretation interpret(const tree::Parameter& parameter, const ValueType& type) {
   using tree::Form;
   if (parameter.form == Form::nothing) return {std::nullopt, "has no value"};
+  if (type.or_word && is_word(parameter)) return read_scalar(entry_of(parameter), ValueType{});
   if (parameter.form == Form::typed_text) {
     const std::string problem = type_problem(parameter, type);
     if (!problem.empty()) return {std::nullopt, problem};

@@ -23,6 +23,7 @@ struct ValueType {
   Scalar scalar = Scalar::text;
   bool is_array = false;
   std::size_t length = 0;  ///< entries of an array; 0: any number
+  bool or_word = false;    ///< a word may stand in the place of the array
 };
 
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<std::int64_t>,
@@ -60,6 +61,13 @@ template <class E>
 struct is_array<std::vector<E>> : std::true_type {};
 template <class E, std::size_t N>
 struct is_array<std::array<E, N>> : std::true_type {};
+
+template <class V>
+struct array_or_word : std::false_type {};
+template <class A>
+struct array_or_word<std::variant<A, std::string>> : is_array<A> {
+  using array = A;
+};
 
 template <class V>
 struct is_optional : std::false_type {};
@@ -112,7 +120,11 @@ constexpr std::size_t fixed_length(const std::vector<E>*) {
 
 template <class V>
 ValueType value_type() {
-  if constexpr (is_array<V>::value) {
+  if constexpr (array_or_word<V>::value) {
+    ValueType type = value_type<typename array_or_word<V>::array>();
+    type.or_word = true;
+    return type;
+  } else if constexpr (is_array<V>::value) {
     return {held<typename V::value_type>::scalar, true,
             fixed_length(static_cast<const V*>(nullptr))};
   } else {
@@ -122,7 +134,10 @@ ValueType value_type() {
 
 template <class V>
 Value to_value(const V& member) {
-  if constexpr (is_array<V>::value) {
+  if constexpr (array_or_word<V>::value) {
+    const std::string* word = std::get_if<std::string>(&member);
+    return word != nullptr ? Value(*word) : to_value(std::get<0>(member));
+  } else if constexpr (is_array<V>::value) {
     return std::vector<typename held<typename V::value_type>::type>(member.begin(), member.end());
   } else {
     return static_cast<typename held<V>::type>(member);
@@ -131,7 +146,10 @@ Value to_value(const V& member) {
 
 template <class V>
 V from_value(const Value& value) {
-  if constexpr (is_array<V>::value) {
+  if constexpr (array_or_word<V>::value) {
+    const std::string* word = std::get_if<std::string>(&value);
+    return word != nullptr ? V(*word) : V(from_value<typename array_or_word<V>::array>(value));
+  } else if constexpr (is_array<V>::value) {
     using E = typename V::value_type;
     const auto& entries = std::get<std::vector<typename held<E>::type>>(value);
     V member{};

@@ -11,18 +11,21 @@
 namespace stroma::image {
 namespace {
 
-/// Smallest and largest value of all ranks. \throws base::InputError when one is not finite
+/// Smallest and largest value of all ranks. \throws base::InputError when one is not finite, or
+/// their difference is too large for a double
 std::array<double, 2> range(const base::Communicator& communicator, const IntensityVolume& volume) {
+  require_finite(communicator, volume);
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  bool finite = true;
   for (const double value : volume.values) {
     low = std::min(low, value);
     high = std::max(high, value);
-    finite = finite && std::isfinite(value);
   }
-  if (communicator.any(!finite))
-    throw base::InputError("the image holds values that are not finite (NaN or infinity)");
-  return {communicator.min(low), communicator.max(high)};
+  low = communicator.min(low);
+  high = communicator.max(high);
+  if (!std::isfinite(high - low))
+    throw base::InputError(base::format(
+        "the intensities range from %.9g to %.9g, too far for their statistics", low, high));
+  return {low, high};
 }
 
 Histogram counted(const base::Communicator& communicator, const IntensityVolume& volume,
@@ -30,14 +33,32 @@ Histogram counted(const base::Communicator& communicator, const IntensityVolume&
   Histogram histogram{first_edge, width, levels,
                       std::vector<std::int64_t>(static_cast<std::size_t>(bins), 0)};
   for (const double value : volume.values) {
-    const auto bin = static_cast<std::int64_t>((value - first_edge) / width);
-    ++histogram.counts[static_cast<std::size_t>(std::clamp<std::int64_t>(bin, 0, bins - 1))];
+    const double bin = std::clamp((value - first_edge) / width, 0.0, static_cast<double>(bins - 1));
+    ++histogram.counts[static_cast<std::size_t>(bin)];
   }
   communicator.sum_all(histogram.counts.data(), histogram.counts.size());
   return histogram;
 }
 
 }  // namespace
+
+void require_finite(const base::Communicator& communicator, const IntensityVolume& volume) {
+  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  std::int64_t count = 0, first = none;
+  for (std::size_t i = 0; i < volume.values.size(); ++i) {
+    if (std::isfinite(volume.values[i])) continue;
+    if (count == 0)
+      first = static_cast<std::int64_t>(i) + volume.first_plane * volume.plane_voxels();
+    ++count;
+  }
+  const std::int64_t all = communicator.sum(count);
+  if (all == 0) return;
+  throw base::InputError(base::format(
+      "%lld of %lld voxels are not finite (NaN or infinity), the first of them %s; admissible: "
+      "finite intensities",
+      static_cast<long long>(all), static_cast<long long>(volume.voxels()),
+      name_of_voxel(volume, communicator.min(first)).c_str()));
+}
 
 std::int64_t Histogram::total() const {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
@@ -65,7 +86,8 @@ Histogram histogram(const base::Communicator& communicator, const IntensityVolum
 Histogram equal_bins(const base::Communicator& communicator, const IntensityVolume& volume,
                      int bins) {
   const auto [low, high] = range(communicator, volume);
-  const double width = high > low ? (high - low) / bins : 1.0;
+  const double width =
+      high > low ? std::max((high - low) / bins, std::numeric_limits<double>::min()) : 1.0;
   return counted(communicator, volume, low, width, bins, false);
 }
 

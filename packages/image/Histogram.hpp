@@ -36,6 +36,10 @@ struct Statistics {
 inline constexpr std::int64_t most_levels = std::int64_t{1} << 20;
 
 /// Collective.
+/// \throws base::InputError when a value is not finite: how many, and where the first is
+void require_finite(const base::Communicator& communicator, const IntensityVolume& volume);
+
+/// Collective.
 /// \throws base::InputError when a value is not finite
 Statistics statistics(const base::Communicator& communicator, const IntensityVolume& volume);
 

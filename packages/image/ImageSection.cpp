@@ -9,6 +9,7 @@ using deck::any;
 using deck::at_least;
 using deck::not_empty;
 using deck::not_negative;
+using deck::or_one_of;
 using deck::positive;
 using deck::strictly_between;
 
@@ -30,10 +31,17 @@ deck::Section<SegmentationParameters> segmentation_section() {
       .optional("Smoothing [um]", &SegmentationParameters::smoothing, not_negative(),
                 "Standard deviation of the Gaussian that smooths the intensities first; 0: none. "
                 "Truncated at 4 "
-                "standard deviations; the image continues beyond its faces as its mirror image.")
-      .optional(
-          "Smallest Object", &SegmentationParameters::smallest_object, not_negative(),
-          "Voxels. Connected objects of fewer voxels (26 neighbours) become label 0; 0: keep all.");
+                "standard deviations; the image continues beyond its faces as its mirror image. "
+                "Along a direction in which it exceeds twice the image, the mean is taken.")
+      .optional("Empty Labels", &SegmentationParameters::empty_labels,
+                or_one_of(not_negative(), {"Dark", "Bright"}),
+                "What becomes empty space, that is, label -1: with Method = Labels a list of "
+                "labels; with a threshold the word Dark (what would be label 0) or Bright (what "
+                "would be label 1).")
+      .optional("Smallest Object", &SegmentationParameters::smallest_object, not_negative(),
+                "Voxels. Connected objects (one label above 0, 26 neighbours) of fewer voxels "
+                "become background: empty space where they touch more of it than of label 0, "
+                "else label 0. Empty Labels come first. 0: keep all.");
   section.check([](const SegmentationParameters& s, deck::Findings& findings) {
     if (s.method == Method::threshold && !s.threshold)
       findings.add("Threshold", "missing; required with Method = Threshold; admissible: a number");
@@ -42,6 +50,18 @@ deck::Section<SegmentationParameters> segmentation_section() {
     if (s.method == Method::labels && s.smoothing > 0.0)
       findings.add("Smoothing [um]",
                    "labels cannot be smoothed; admissible with Method = Labels: 0");
+    if (!s.empty_labels) return;
+    const std::string* word = std::get_if<std::string>(&*s.empty_labels);
+    if (s.method == Method::labels && word != nullptr)
+      findings.add("Empty Labels",
+                   "found \"" + *word + "\"; admissible with Method = Labels: a list of labels");
+    if (s.method != Method::labels && word == nullptr)
+      findings.add("Empty Labels",
+                   "found a list; admissible with Method = Threshold or Otsu: Dark or Bright");
+    if (word != nullptr && *word == "Bright" && s.smallest_object > 1)
+      findings.add("Smallest Object",
+                   "objects have labels above 0, and Empty Labels = Bright leaves none; leave one "
+                   "of them out");
   });
   return section;
 }
@@ -162,7 +182,7 @@ deck::Section<ImageParameters> image_section() {
       if (p.frame != 0) findings.add("Frame", "a phantom has none; it goes with File");
       if (p.voxel_size)
         findings.add("Voxel Size [um]", "a phantom has its own, in the sublist Phantom");
-      if (s.threshold || s.smoothing > 0.0)
+      if (s.threshold || s.smoothing > 0.0 || s.empty_labels)
         findings.add("Segmentation", "a phantom is made of labels; admissible: Smallest Object");
     }
     if (p.region &&

@@ -58,7 +58,7 @@ Objects::Objects(const base::Communicator& communicator, const LabelVolume& labe
     : communicator_(communicator) {
   find_pieces(labels, connectivity);
   merge_over_slabs(labels, connectivity);
-  measure();
+  size_ = sum_over_pieces(std::move(size_));
 }
 
 void Objects::find_pieces(const LabelVolume& labels, Connectivity connectivity) {
@@ -179,8 +179,8 @@ void Objects::merge_over_slabs(const LabelVolume& labels, Connectivity connectiv
   }
 }
 
-void Objects::measure() {
-  // The rank that numbered an object adds up its pieces, and tells the others its size. The volume
+std::vector<std::int64_t> Objects::sum_over_pieces(std::vector<std::int64_t> of_pieces) const {
+  // The rank that numbered an object adds up its pieces, and tells the others the sum. The volume
   // of messages is that of the pieces that reach over slabs.
   const int ranks = communicator_.size();
   const std::vector<std::int64_t> firsts = communicator_.gather(first_id_);
@@ -188,16 +188,15 @@ void Objects::measure() {
     return static_cast<std::size_t>(std::upper_bound(firsts.begin(), firsts.end(), id) -
                                     firsts.begin() - 1);
   };
-  std::vector<std::vector<std::int64_t>> ask(
-      static_cast<std::size_t>(ranks));  // id, size, id, size, ...
+  std::vector<std::vector<std::int64_t>> ask(static_cast<std::size_t>(ranks));  // id, number, ...
   std::vector<std::vector<std::size_t>> asked_for(static_cast<std::size_t>(ranks));  // piece
-  std::vector<std::int64_t> total(size_.size(), 0);
-  for (std::size_t p = 0; p < size_.size(); ++p) {
+  std::vector<std::int64_t> total(of_pieces.size(), 0);
+  for (std::size_t p = 0; p < of_pieces.size(); ++p) {
     const std::size_t rank = owner(id_[p]);
     if (static_cast<int>(rank) == communicator_.rank()) {
-      total[static_cast<std::size_t>(id_[p] - first_id_)] += size_[p];
+      total[static_cast<std::size_t>(id_[p] - first_id_)] += of_pieces[p];
     } else {
-      ask[rank].insert(ask[rank].end(), {id_[p], size_[p]});
+      ask[rank].insert(ask[rank].end(), {id_[p], of_pieces[p]});
       asked_for[rank].push_back(p);
     }
   }
@@ -225,14 +224,15 @@ void Objects::measure() {
     questions[q + 1] = total[static_cast<std::size_t>(questions[q] - first_id_)];
   MPI_Alltoallv(questions.data(), receive_counts.data(), receive_at.data(), MPI_INT64_T,
                 send.data(), send_counts.data(), send_at.data(), MPI_INT64_T, communicator_.raw());
-  for (std::size_t p = 0; p < size_.size(); ++p) {
+  for (std::size_t p = 0; p < of_pieces.size(); ++p) {
     if (static_cast<int>(owner(id_[p])) == communicator_.rank())
-      size_[p] = total[static_cast<std::size_t>(id_[p] - first_id_)];
+      of_pieces[p] = total[static_cast<std::size_t>(id_[p] - first_id_)];
   }
   for (std::size_t rank = 0; rank < asked_for.size(); ++rank) {
     for (std::size_t i = 0; i < asked_for[rank].size(); ++i)
-      size_[asked_for[rank][i]] = send[static_cast<std::size_t>(send_at[rank]) + 2 * i + 1];
+      of_pieces[asked_for[rank][i]] = send[static_cast<std::size_t>(send_at[rank]) + 2 * i + 1];
   }
+  return of_pieces;
 }
 
 std::int64_t Objects::count(std::int64_t smallest) const {
@@ -249,13 +249,53 @@ std::int64_t Objects::largest() const {
   return communicator_.max(found == size_.end() ? std::int64_t{0} : *found);
 }
 
+namespace {
+
+/// (piece) How many more neighbours of the object's voxels are empty space than label 0.
+std::vector<std::int64_t> emptiness_around(const base::Communicator& communicator,
+                                           const LabelVolume& labels, const Objects& objects) {
+  const auto [nx, ny, nz] = labels.size;
+  const std::int64_t first = std::max<std::int64_t>(labels.first_plane - 1, 0);
+  const std::int64_t last = std::min(labels.first_plane + labels.planes + 1, nz);
+  const std::vector<std::int32_t> around = extract(
+      communicator, labels, {{0, 0, first}, {nx, ny, labels.planes > 0 ? last - first : 0}});
+  std::vector<std::int64_t> emptiness(objects.pieces(), 0);
+  std::size_t voxel = 0;
+  for (std::int64_t k = labels.first_plane; k < labels.first_plane + labels.planes; ++k) {
+    for (std::int64_t j = 0; j < ny; ++j) {
+      for (std::int64_t i = 0; i < nx; ++i, ++voxel) {
+        if (objects.size_at(voxel) == 0) continue;
+        std::int64_t& here = emptiness[objects.piece_at(voxel)];
+        for (std::int64_t z = std::max(k - 1, first); z < std::min(k + 2, last); ++z) {
+          for (std::int64_t y = std::max<std::int64_t>(j - 1, 0); y < std::min(j + 2, ny); ++y) {
+            for (std::int64_t x = std::max<std::int64_t>(i - 1, 0); x < std::min(i + 2, nx); ++x) {
+              const std::int32_t label =
+                  around[static_cast<std::size_t>(x + nx * (y + ny * (z - first)))];
+              here += label < 0 ? 1 : label == 0 ? -1 : 0;
+            }
+          }
+        }
+      }
+    }
+  }
+  return objects.sum_over_pieces(std::move(emptiness));
+}
+
+}  // namespace
+
 std::int64_t remove_small_objects(const base::Communicator& communicator, LabelVolume& labels,
                                   std::int64_t smallest) {
   const Objects objects(communicator, labels, Connectivity::corners);
   const std::int64_t removed = objects.count() - objects.count(smallest);
+  std::vector<std::int64_t> emptiness(objects.pieces(), 0);
+  const bool some_empty = std::any_of(labels.values.begin(), labels.values.end(),
+                                      [](std::int32_t label) { return label < 0; });
+  if (removed > 0 && communicator.any(some_empty))
+    emptiness = emptiness_around(communicator, labels, objects);
   for (std::size_t voxel = 0; voxel < labels.values.size(); ++voxel) {
     const std::int64_t size = objects.size_at(voxel);
-    if (size > 0 && size < smallest) labels.values[voxel] = 0;
+    if (size > 0 && size < smallest)
+      labels.values[voxel] = emptiness[objects.piece_at(voxel)] > 0 ? -1 : 0;
   }
   return removed;
 }

@@ -33,6 +33,13 @@ class Objects {
   std::int64_t size_at(std::size_t voxel) const {
     return piece_[voxel] < 0 ? 0 : size_[static_cast<std::size_t>(piece_[voxel])];
   }
+  /// Number of pieces: what of each object lies in this slab is one or several.
+  std::size_t pieces() const { return id_.size(); }
+  /// The piece that a voxel of this slab belongs to. \pre size_at(voxel) > 0
+  std::size_t piece_at(std::size_t voxel) const { return static_cast<std::size_t>(piece_[voxel]); }
+  /// A number of each piece of this slab, summed over all pieces of its object: (piece).
+  /// Collective.
+  std::vector<std::int64_t> sum_over_pieces(std::vector<std::int64_t> of_pieces) const;
 
  private:
   base::Communicator communicator_;
@@ -44,10 +51,10 @@ class Objects {
 
   void find_pieces(const LabelVolume& labels, Connectivity connectivity);
   void merge_over_slabs(const LabelVolume& labels, Connectivity connectivity);
-  void measure();
 };
 
-/// Objects (26-connected) of fewer voxels than `smallest` become label 0. Collective.
+/// Objects (26-connected) of fewer voxels than `smallest` become background: empty space (-1) where
+/// more of the neighbours of their voxels are empty than are of label 0, else label 0. Collective.
 /// \returns how many objects were removed
 std::int64_t remove_small_objects(const base::Communicator& communicator, LabelVolume& labels,
                                   std::int64_t smallest);

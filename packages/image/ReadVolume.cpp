@@ -144,6 +144,7 @@ IntensityVolume read_volume(const base::Communicator& communicator,
   IntensityVolume volume;
   base::collectively(communicator, [&] {
     volume = IntensityVolume(communicator, region.count, summary.voxel_size.um);
+    volume.first_in_file = region.first;
     if (!source->readable_in_parts() || volume.planes == 0) return;
     Box slab = region;
     slab.first[2] += volume.first_plane;

@@ -36,7 +36,7 @@ void require_voxel_size(const ImageSummary& summary);
 /// objects. Collective.
 /// \param summary  if not null, filled with what was found
 /// \throws base::InputError as read_volume, and when the voxel size is unknown, a label is not an
-///   integer or below -1, or Otsu's method meets a single value
+///   integer or below -1, an intensity is not finite, or Otsu's method meets a single value
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
                         const std::string& folder, ImageSummary* summary = nullptr);
 

@@ -44,13 +44,10 @@ LabelVolume value_labels(const base::Communicator& communicator, const Intensity
       if (!admissible) {
         const auto voxel =
             static_cast<std::int64_t>(i) + volume.first_plane * volume.plane_voxels();
-        const auto x = static_cast<long long>(voxel % volume.size[0]);
-        const auto y = static_cast<long long>(voxel / volume.size[0] % volume.size[1]);
-        const auto z = static_cast<long long>(voxel / volume.plane_voxels());
         throw base::InputError(base::format(
-            "Image|Segmentation|Method = Labels: the value at voxel (%lld, %lld, %lld) is "
-            "%.9g; admissible: integers from -1 (empty space) to 2147483647",
-            x, y, z, value));
+            "Image|Segmentation|Method = Labels: the value at %s is %.9g; admissible: integers "
+            "from -1 (empty space) to 2147483647",
+            name_of_voxel(volume, voxel).c_str(), value));
       }
       labels.values[i] = static_cast<std::int32_t>(value);
     }
@@ -58,31 +55,78 @@ LabelVolume value_labels(const base::Communicator& communicator, const Intensity
   return labels;
 }
 
+namespace {
+
+void smooth_intensities(const base::Communicator& communicator, double deviation,
+                        IntensityVolume& volume, ImageSummary& summary) {
+  std::array<double, 3> sigma{};
+  std::string axes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sigma[axis] = deviation / volume.voxel_size[axis];
+    if (smooths_to_mean(sigma[axis], volume.size[axis]))
+      axes += std::string(axes.empty() ? "" : ", ") + "xyz"[axis];
+  }
+  smooth(communicator, volume, sigma);
+  if (!axes.empty()) {
+    summary.notes.push_back(base::format(
+        "Smoothing [um] = %g is more than twice the image along %s: the mean along it is taken",
+        deviation, axes.c_str()));
+  }
+}
+
+/// Labels 0 and 1 by a threshold, the user's or Otsu's.
+LabelVolume labels_by_threshold(const base::Communicator& communicator,
+                                const IntensityVolume& volume,
+                                const SegmentationParameters& parameters, ImageSummary& summary) {
+  double threshold = 0.0;
+  if (parameters.method == SegmentationParameters::Method::threshold) {
+    threshold = parameters.threshold.value();
+  } else {
+    ValueType type = summary.type;
+    if (parameters.smoothing > 0.0)
+      type.kind = ValueType::Kind::floating;  // means of integers are none
+    threshold = otsu_threshold(histogram(communicator, volume, type));
+    summary.notes.push_back(base::format("Otsu's threshold: %.9g", threshold));
+  }
+  return threshold_labels(volume, threshold);
+}
+
+/// Turns labels into empty space, and says of how many voxels.
+void empty_out(const base::Communicator& communicator, const SegmentationParameters& parameters,
+               LabelVolume& labels, ImageSummary& summary) {
+  std::vector<int> empty;
+  if (const std::string* word = std::get_if<std::string>(&*parameters.empty_labels)) {
+    empty = {*word == "Bright" ? 1 : 0};
+  } else {
+    empty = std::get<std::vector<int>>(*parameters.empty_labels);
+  }
+  std::vector<std::int64_t> voxels(empty.size(), 0);
+  for (std::int32_t& label : labels.values) {
+    const auto found = std::find(empty.begin(), empty.end(), label);
+    if (found == empty.end()) continue;
+    label = -1;
+    ++voxels[static_cast<std::size_t>(found - empty.begin())];
+  }
+  communicator.sum_all(voxels.data(), voxels.size());
+  for (std::size_t i = 0; i < empty.size(); ++i) {
+    summary.notes.push_back(
+        base::format("Empty Labels: label %d, %lld of %lld voxels, is empty space", empty[i],
+                     static_cast<long long>(voxels[i]), static_cast<long long>(labels.voxels())));
+  }
+}
+
+}  // namespace
+
 LabelVolume segment(const base::Communicator& communicator, IntensityVolume volume,
                     const SegmentationParameters& parameters, ImageSummary& summary) {
-  using Method = SegmentationParameters::Method;
-  ValueType type = summary.type;
-  if (parameters.smoothing > 0.0) {
-    std::array<double, 3> sigma{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sigma[axis] = parameters.smoothing / volume.voxel_size[axis];
-    smooth(communicator, volume, sigma);
-    type.kind = ValueType::Kind::floating;  // means of integers are none
-  }
-  LabelVolume labels;
-  if (parameters.method == Method::labels) {
-    labels = value_labels(communicator, volume);
-  } else {
-    double threshold = 0.0;
-    if (parameters.method == Method::threshold) {
-      threshold = parameters.threshold.value();
-    } else {
-      threshold = otsu_threshold(histogram(communicator, volume, type));
-      summary.notes.push_back(base::format("Otsu's threshold: %.9g", threshold));
-    }
-    labels = threshold_labels(volume, threshold);
-  }
+  require_finite(communicator, volume);
+  if (parameters.smoothing > 0.0)
+    smooth_intensities(communicator, parameters.smoothing, volume, summary);
+  LabelVolume labels = parameters.method == SegmentationParameters::Method::labels
+                           ? value_labels(communicator, volume)
+                           : labels_by_threshold(communicator, volume, parameters, summary);
   volume = IntensityVolume();
+  if (parameters.empty_labels) empty_out(communicator, parameters, labels, summary);
   if (parameters.smallest_object > 1) {
     const std::int64_t removed =
         remove_small_objects(communicator, labels, parameters.smallest_object);

@@ -22,9 +22,9 @@ LabelVolume threshold_labels(const IntensityVolume& volume, double threshold);
 /// the first such voxel)
 LabelVolume value_labels(const base::Communicator& communicator, const IntensityVolume& volume);
 
-/// Smooths, segments and removes small objects, as the parameters say. Collective.
-/// \param summary  its type decides the bins of Otsu's method; its notes gain Otsu's threshold and
-/// what was removed
+/// Smooths, segments, makes empty space and removes small objects, as the parameters say.
+/// Collective. \throws base::InputError when an intensity is not finite \param summary  its type
+/// decides the bins of Otsu's method; its notes gain Otsu's threshold and what was removed
 LabelVolume segment(const base::Communicator& communicator, IntensityVolume volume,
                     const SegmentationParameters& parameters, ImageSummary& summary);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/Log.hpp"
+
 namespace stroma::image {
 namespace {
 
@@ -30,6 +32,15 @@ std::vector<T> pack(const Volume<T>& volume, const Box& part) {
 }
 
 }  // namespace
+
+std::string name_of_voxel(const IntensityVolume& volume, std::int64_t voxel) {
+  const std::int64_t row = voxel / volume.size[0];
+  const auto place = [&](std::size_t axis, std::int64_t within) {
+    return static_cast<long long>(volume.first_in_file[axis] + within);
+  };
+  return base::format("voxel (%lld, %lld, %lld)", place(0, voxel % volume.size[0]),
+                      place(1, row % volume.size[1]), place(2, row / volume.size[1]));
+}
 
 template <class T>
 std::vector<T> extract(const base::Communicator& communicator, const Volume<T>& volume,

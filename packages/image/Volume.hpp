@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/Communicator.hpp"
@@ -48,7 +49,8 @@ struct Volume {
   std::array<double, 3> voxel_size{0.0, 0.0, 0.0};  ///< [um]; 0: not known
   std::int64_t first_plane = 0;  ///< this rank's slab is [first_plane, first_plane + planes)
   std::int64_t planes = 0;       ///< may be 0
-  std::vector<T> values;         ///< planes * size[1] * size[0]
+  std::array<std::int64_t, 3> first_in_file{0, 0, 0};  ///< where in its file the volume begins
+  std::vector<T> values;                               ///< planes * size[1] * size[0]
 
   Volume() = default;
   /// A volume of zeros, with this rank's share of the planes allocated.
@@ -71,6 +73,10 @@ struct Volume {
 using IntensityVolume = Volume<double>;
 /// Labels: -1 empty space, 0 and up materials.
 using LabelVolume = Volume<std::int32_t>;
+
+/// "voxel (x, y, z)", counted from 0 in the file, of the voxel with this number in the whole
+/// volume.
+std::string name_of_voxel(const IntensityVolume& volume, std::int64_t voxel);
 
 /// The values of one box of voxels of this rank's choosing, x fastest. Collective; each rank asks
 /// for its own box, which may be empty and may overlap others', and receives it from the ranks that

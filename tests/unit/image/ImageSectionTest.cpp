@@ -49,6 +49,18 @@ TEST(ImageSection, ReadsAFileAndItsSegmentation) {
   EXPECT_FALSE(p.phantom);
 }
 
+TEST(ImageSection, EmptyLabelsAreAListOrAWord) {
+  using List = std::vector<int>;
+  const auto empty = [](const std::string& method, const std::string& value) {
+    return read("    File: gel.tif\n    Segmentation:\n      Method: " + method +
+                "\n      Empty Labels: " + value + "\n")
+        .image.segmentation.empty_labels;
+  };
+  EXPECT_EQ(std::get<List>(empty("Labels", "[0, 255]").value()), (List{0, 255}));
+  EXPECT_EQ(std::get<std::string>(empty("Otsu", "Dark").value()), "Dark");
+  EXPECT_FALSE(read("    File: gel.tif\n").image.segmentation.empty_labels);
+}
+
 const std::string phantom =
     "    Phantom:\n      Size: [8, 8, 8]\n      Voxel Size [um]: [1.0, 1.0, 1.0]\n";
 
@@ -80,6 +92,20 @@ TEST(ImageSection, FindsMistakesBetweenParameters) {
   expect_mistake(
       "    File: gel.tif\n    Segmentation:\n      Method: Labels\n      Smoothing [um]: 1.0\n",
       "labels cannot be smoothed");
+  const auto segmented = [](const std::string& lines) {
+    return "    File: gel.tif\n    Segmentation:\n" + lines;
+  };
+  expect_mistake(segmented("      Method: Labels\n      Empty Labels: Dark\n"), "a list of labels");
+  expect_mistake(segmented("      Empty Labels: [0]\n"), "Dark or Bright");
+  expect_mistake(segmented("      Empty Labels: Drak\n"), "did you mean \"Dark\"?");
+  expect_mistake(segmented("      Method: Labels\n      Empty Labels: 0\n"),
+                 "a list of one or more integers, each >= 0, or \"Dark\" or \"Bright\"");
+  expect_mistake(segmented("      Method: Labels\n      Empty Labels: []\n"), "one or more");
+  expect_mistake(segmented("      Method: Labels\n      Empty Labels: [-1]\n"), ">= 0");
+  expect_mistake(segmented("      Empty Labels: Bright\n      Smallest Object: 9\n"),
+                 "leaves none");
+  expect_mistake(phantom + "      Kind: Uniform\n    Segmentation:\n      Empty Labels: Dark\n",
+                 "a phantom is made of labels");
   expect_mistake("    File: gel.tif\n    Region: [0, 0, 0, 4, 0, 4]\n", "at least 1 each");
   expect_mistake("    File: gel.tif\n    Voxel Size [um]: [1.0, 0.0, 1.0]\n", "Voxel Size [um]");
   expect_mistake(phantom + "      Kind: Uniform\n      Seed: 3\n", "needs Kind = Vessels");

@@ -87,6 +87,36 @@ TEST(Smoothing, TheSameBitsOnAnyNumberOfRanks) {
     ASSERT_EQ(spread.values[i], whole.values[static_cast<std::size_t>(first) + i]);
 }
 
+// Where the mean takes over, at two lengths of the image, the Gaussian leaves hardly anything else;
+// the cut at 4 sigma does, less than 1e-4.
+TEST(Smoothing, TheMeanTakesOverWithoutAJump) {
+  const base::Communicator world = base::Communicator::world();
+  const Size size{9, 8, 7};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<double, 3> sigma{};
+    const double length = static_cast<double>(size[axis]);
+    IntensityVolume before = volume_of(world, size, noise), behind = before, far = before;
+    sigma[axis] = 1.999 * length;
+    image::smooth(world, before, sigma);
+    sigma[axis] = 2.001 * length;
+    image::smooth(world, behind, sigma);
+    sigma[axis] = HUGE_VAL;
+    image::smooth(world, far, sigma);
+    EXPECT_EQ(behind.values, far.values);
+    for (std::size_t i = 0; i < before.values.size(); ++i)
+      ASSERT_NEAR(before.values[i], behind.values[i], 1e-4);
+  }
+}
+
+TEST(Smoothing, TheMeanIsTheSameBitsOnAnyNumberOfRanks) {
+  const base::Communicator world = base::Communicator::world(), self = base::Communicator::self();
+  IntensityVolume spread = volume_of(world, {12, 11, 10}, noise),
+                  whole = volume_of(self, {12, 11, 10}, noise);
+  image::smooth(world, spread, {1e9, 1e9, 1e9});
+  image::smooth(self, whole, {1e9, 1e9, 1e9});
+  for (const double value : spread.values) ASSERT_EQ(value, whole.values.front());
+}
+
 TEST(Smoothing, NothingForASigmaOfZero) {
   const base::Communicator world = base::Communicator::world();
   IntensityVolume volume = volume_of(world, {5, 6, 4}, noise);
