@@ -133,7 +133,8 @@ void draw_stresses(const base::Communicator& communicator, const StudyPlan& plan
   communicator.broadcast(count);
   if (count == 0) return log.note("von_mises.png was not drawn: no member has a map to show");
   const std::string failure = output::draw_stress_panels(
-      communicator, folder, plan.title, labels_of(plan, members, members.front(), true), panels);
+      communicator, folder, plan.title, labels_of(plan, members, members.front(), true), panels,
+      plan.decks[members.front()].parameters.output.origin);
   if (!failure.empty()) log.note(failure);
 }
 

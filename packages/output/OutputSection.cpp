@@ -19,7 +19,11 @@ deck::Section<OutputParameters> output_section() {
           "Floating-point numbers in particles.e and grid.e: Double (8 bytes) or Single (4 bytes, "
           "half the space).")
       .optional("Pictures", &OutputParameters::pictures, deck::any(),
-                "Draw vessels.png, von_mises.png and force.png with gnuplot at the end.");
+                "Draw vessels.png, von_mises.png and force.png with gnuplot at the end.")
+      .choice("Origin", &OutputParameters::origin,
+              {{"Top", Origin::Top}, {"Bottom", Origin::Bottom}},
+              "Where pictures have y = 0, the image's first row: at the Top, as image viewers show "
+              "the image (y grows downwards, the face y- is at the top), or at the Bottom.");
   return section;
 }
 

@@ -5,6 +5,7 @@
 
 #include "deck/Section.hpp"
 #include "output/ExodusFile.hpp"
+#include "output/RasterPlot.hpp"
 
 namespace stroma::output {
 
@@ -15,6 +16,7 @@ struct OutputParameters {
   int checkpoint_every = 1;  ///< load steps between checkpoints
   Precision precision = Precision::Double;
   bool pictures = true;
+  Origin origin = Origin::Top;  ///< of y, in pictures
 };
 
 deck::Section<OutputParameters> output_section();

@@ -62,7 +62,7 @@ PictureLayout layout_of(const Raster& raster) {
 
 /// The part of a script that a raster's pictures share: size, title, axes, aspect.
 std::string raster_script(const Raster& raster, const PictureLayout& layout,
-                          const std::string& name, const std::string& title) {
+                          const std::string& name, const std::string& title, Origin origin) {
   std::string script =
       gnuplot_head(name, static_cast<int>(layout.width), static_cast<int>(layout.height), title);
   script += format("set lmargin at screen %.5f\nset rmargin at screen %.5f\n",
@@ -78,9 +78,9 @@ std::string raster_script(const Raster& raster, const PictureLayout& layout,
                    micrometre);
   const double width = raster.pixel[0] * raster.columns, height = raster.pixel[1] * raster.rows;
   const double left = raster.first[0] - 0.5 * raster.pixel[0];
-  const double bottom = raster.first[1] - 0.5 * raster.pixel[1];
-  script += format("set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n", left, left + width, bottom,
-                   bottom + height);
+  const double low = raster.first[1] - 0.5 * raster.pixel[1];
+  script += format("set xrange [%.8g:%.8g]\nset yrange ", left, left + width) +
+            y_range(low, low + height, origin) + "\n";
   script += format("set xtics %g\nset ytics %g\n",
                    round_step(width, std::max(layout.plot_width / 80.0, 2.0)),
                    round_step(height, std::max(layout.plot_height / 60.0, 2.0)));
@@ -91,8 +91,7 @@ std::string raster_script(const Raster& raster, const PictureLayout& layout,
 std::string raster_plot(const Raster& raster, const std::string& name) {
   return format(
              "# %s.raw: %d x %d pixels, 32-bit floats of this machine's byte order, x fastest, "
-             "from "
-             "the lower\n# left; NaN where there is no particle.\nplot ",
+             "from the\n# smallest y on; NaN where there is no particle.\nplot ",
              name.c_str(), raster.columns, raster.rows) +
          raster_clause(raster, name) + "\n";
 }
@@ -104,11 +103,12 @@ const std::vector<std::string> material_colours = {"#f2e6d0", "#b2182b", "#2166a
 }  // namespace
 
 Pictures::Pictures(const base::Communicator& communicator, std::string folder, std::string title,
-                   std::array<double, 3> spacing)
+                   std::array<double, 3> spacing, Origin origin)
     : communicator_(communicator),
       folder_(std::move(folder)),
       title_(std::move(title)),
-      spacing_(spacing) {}
+      spacing_(spacing),
+      origin_(origin) {}
 
 std::string Pictures::draw_materials(const ParticleSet& particles,
                                      const std::vector<std::string>& materials) const {
@@ -125,8 +125,9 @@ std::string Pictures::draw_materials(const ParticleSet& particles,
   if (!communicator_.is_root()) return draw("vessels", "", "raw", "");
 
   const std::size_t count = materials.size();
-  std::string script = raster_script(raster, layout_of(raster), "vessels",
-                                     title_ + format("\nmaterials at z = %.4g ", z) + micrometre);
+  std::string script =
+      raster_script(raster, layout_of(raster), "vessels",
+                    title_ + format("\nmaterials at z = %.4g ", z) + micrometre, origin_);
   script += "set palette defined (";
   std::string names;
   for (std::size_t m = 0; m < count; ++m) {
@@ -167,7 +168,7 @@ std::string Pictures::draw_von_mises(const ParticleSet& particles, const StatePi
       format("\nvon Mises stress, load factor %.4g, layer z = %.4g ", load, z) + micrometre;
   if (scale.largest > scale.end) subtitle += format(", largest %.3g Pa", scale.largest);
   const PictureLayout layout = layout_of(raster);
-  std::string script = raster_script(raster, layout, "von_mises", title_ + subtitle);
+  std::string script = raster_script(raster, layout, "von_mises", title_ + subtitle, origin_);
   script += viridis_palette();
   script += "set cblabel 'von Mises stress (Pa)' offset 1\n";
   script += format("set cbrange [0:%.4g]\nset cbtics %g\n", scale.end,

@@ -10,6 +10,7 @@
 #include "base/Communicator.hpp"
 #include "output/History.hpp"
 #include "output/ParticleFile.hpp"
+#include "output/RasterPlot.hpp"
 
 namespace stroma::output {
 
@@ -31,8 +32,9 @@ class Pictures {
   /// \param folder   the run's output folder, which exists
   /// \param title    the deck's title
   /// \param spacing  distance of neighbouring particles at load 0, in x, y, z [um]
+  /// \param origin   of y, in maps
   Pictures(const base::Communicator& communicator, std::string folder, std::string title,
-           std::array<double, 3> spacing);
+           std::array<double, 3> spacing, Origin origin);
 
   /// vessels.png: the materials on the middle layer in z, at load 0, named.
   std::string draw_materials(const ParticleSet& particles,
@@ -58,6 +60,7 @@ class Pictures {
   std::string folder_;
   std::string title_;
   std::array<double, 3> spacing_;
+  Origin origin_;
 };
 
 }  // namespace stroma::output

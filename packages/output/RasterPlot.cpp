@@ -31,6 +31,11 @@ double round_step(double length, double parts) {
   return 10.0 * power;
 }
 
+std::string y_range(double low, double high, Origin origin) {
+  return origin == Origin::Top ? format("[%.8g:%.8g]", high, low)
+                               : format("[%.8g:%.8g]", low, high);
+}
+
 ColourScale colour_scale(std::vector<float> values) {
   values.erase(
       std::remove_if(values.begin(), values.end(), [](float v) { return !std::isfinite(v); }),

@@ -13,6 +13,13 @@ namespace stroma::output {
 
 constexpr const char* micrometre = "µm";
 
+/// Where a picture has the origin of y, the image's first row: at the top, as image viewers draw
+/// images, or at the bottom, as plots are drawn.
+enum class Origin { Top, Bottom };
+
+/// The range of y from low to high as gnuplot is told it; for Top, y grows downwards.
+std::string y_range(double low, double high, Origin origin);
+
 /// A round step (1, 2 or 5 times a power of 10) that divides a length into at most so many parts.
 double round_step(double length, double parts);
 
@@ -25,8 +32,8 @@ struct ColourScale {
 /// of it: then at the 99.5th percentile. Values that are not finite do not count.
 ColourScale colour_scale(std::vector<float> values);
 
-/// The bytes of NAME.raw: 32-bit floats of this machine's byte order, x fastest from the lower
-/// left; NaN: no particle.
+/// The bytes of NAME.raw: 32-bit floats of this machine's byte order, x fastest, from the row of
+/// the smallest y on; NaN: no particle.
 std::string raster_bytes(const Raster& raster);
 
 /// What gnuplot's `plot` draws a raster with. \param skip  bytes in the file before the raster

@@ -14,9 +14,10 @@ namespace stroma::output {
 
 /// A picture's numbers; complete on rank 0, without values on the other ranks.
 struct Raster {
-  int columns = 0;                ///< pixels along x
-  int rows = 0;                   ///< pixels along y
-  std::array<double, 2> first{};  ///< x, y of the centre of pixel (0, 0), the lower left one [um]
+  int columns = 0;  ///< pixels along x
+  int rows = 0;     ///< pixels along y
+  std::array<double, 2>
+      first{};  ///< x, y of the centre of pixel (0, 0), where both are smallest [um]
   std::array<double, 2> pixel{};  ///< size of a pixel in x, y [um]
   std::vector<float> value;       ///< (row, column), column fastest; NaN: no particle there
 };

@@ -109,7 +109,7 @@ std::string mark_of(std::size_t panel, std::size_t panels) {
 
 std::string draw_stress_panels(const base::Communicator& communicator, const std::string& folder,
                                const std::string& title, const std::string& common,
-                               const std::vector<StressPanel>& panels) {
+                               const std::vector<StressPanel>& panels, Origin origin) {
   const char* const name = "von_mises";
   if (!communicator.is_root()) return draw_picture(communicator, folder, name, "", "raw", "");
 
@@ -135,14 +135,14 @@ std::string draw_stress_panels(const base::Communicator& communicator, const std
       gnuplot_head(name, static_cast<int>(width), static_cast<int>(height), heading);
   script += viridis_palette();
   script += format("set cbrange [0:%.6g]\nset size ratio -1\n", scale.end);
-  script += format("set xrange [%.8g:%.8g]\nset yrange [%.8g:%.8g]\n", window.low[0],
-                   window.high[0], window.low[1], window.high[1]);
+  script += format("set xrange [%.8g:%.8g]\nset yrange ", window.low[0], window.high[0]) +
+            y_range(window.low[1], window.high[1], origin) + "\n";
   script += format("set xtics %g\nset ytics %g\nset tics scale 0.6\n",
                    round_step(window.width(), std::max(layout.panel_width / 72.0, 2.0)),
                    round_step(window.height(), std::max(layout.panel_height / 70.0, 2.0)));
   script +=
       "# von_mises.raw: the panels' rasters one after the other, 32-bit floats of this "
-      "machine's byte order, x\n# fastest, from the lower left; NaN where there is no "
+      "machine's byte order, x\n# fastest, from the smallest y on; NaN where there is no "
       "particle.\nset multiplot\n";
 
   std::string data;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/Communicator.hpp"
+#include "output/RasterPlot.hpp"
 #include "output/SliceRaster.hpp"
 
 namespace stroma::output {
@@ -21,9 +22,10 @@ struct StressPanel {
 /// all pixels together. Its numbers, one raster after the other, are pictures/von_mises.raw.
 /// Collective; the panels are rank 0's, and at least one.
 /// \param common  what the panels have in common, for the picture's second line; may be empty
+/// \param origin  of y, in all panels
 /// \return  as draw_picture of PictureFile.hpp
 std::string draw_stress_panels(const base::Communicator& communicator, const std::string& folder,
                                const std::string& title, const std::string& common,
-                               const std::vector<StressPanel>& panels);
+                               const std::vector<StressPanel>& panels, Origin origin);
 
 }  // namespace stroma::output

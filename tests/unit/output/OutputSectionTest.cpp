@@ -24,6 +24,14 @@ TEST(OutputSection, HasTheDefaultsOfTheContract) {
   EXPECT_EQ(defaults.checkpoint_every, 1);
   EXPECT_EQ(defaults.precision, output::Precision::Double);
   EXPECT_TRUE(defaults.pictures);
+  EXPECT_EQ(defaults.origin, output::Origin::Top);
+}
+
+TEST(OutputSection, ReadsTheOriginOfPictures) {
+  EXPECT_EQ(read("<Parameter name=\"Origin\" type=\"string\" value=\"Bottom\"/>").origin,
+            output::Origin::Bottom);
+  EXPECT_THROW(read("<Parameter name=\"Origin\" type=\"string\" value=\"Left\"/>"),
+               base::InputError);
 }
 
 TEST(OutputSection, ReadsPrecisionAndRefusesWhatIsNone) {

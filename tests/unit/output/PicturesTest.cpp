@@ -72,7 +72,7 @@ TEST(Pictures, AreDrawnAndCanBeDrawnAgain) {
   const auto world = base::Communicator::world();
   const Gel gel;
   const output::Pictures pictures(world, folder.path(), "A gel's title, \"quoted\" & 10 %",
-                                  {1.0, 1.0, 1.0});
+                                  {1.0, 1.0, 1.0}, output::Origin::Top);
   EXPECT_EQ(pictures.draw_materials(gel.set, {"collagen_I", "vessel's wall"}), "");
   EXPECT_EQ(pictures.draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0), "");
   std::vector<output::HistoryRow> history(3);
@@ -104,7 +104,7 @@ TEST(Pictures, TheRasterFileHoldsTheStressOfThePixels) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
   const Gel gel;
-  output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0})
+  output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0}, output::Origin::Top)
       .draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
   const std::string bytes = content_of(folder / "pictures/von_mises.raw");
   ASSERT_EQ(bytes.size(), 60 * 40 * sizeof(float));
@@ -117,6 +117,21 @@ TEST(Pictures, TheRasterFileHoldsTheStressOfThePixels) {
     }
 }
 
+// Row 0 of the image, where y is smallest, is drawn where image viewers show it: at the top.
+TEST(Pictures, DrawTheFirstRowAtTheTopUnlessToldOtherwise) {
+  const auto world = base::Communicator::world();
+  const Gel gel;
+  for (const auto& [origin, range] : {std::pair(output::Origin::Top, "set yrange [40:0]\n"),
+                                      std::pair(output::Origin::Bottom, "set yrange [0:40]\n")}) {
+    const TemporaryFolder folder;
+    const output::Pictures pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0}, origin);
+    pictures.draw_materials(gel.set, {"collagen", "vessel"});
+    pictures.draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
+    EXPECT_NE(content_of(folder / "pictures/vessels.gp").find(range), std::string::npos);
+    world.barrier();
+  }
+}
+
 TEST(Pictures, ForceIsTheReactionAlongTheDisplacement) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
@@ -124,7 +139,8 @@ TEST(Pictures, ForceIsTheReactionAlongTheDisplacement) {
   history[0].reactions = {{0, 0, 0}};
   history[1].load = 1.0;
   history[1].reactions = {{30.0, 40.0, 5.0}};
-  const output::Pictures pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0});
+  const output::Pictures pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0},
+                                  output::Origin::Top);
   pictures.draw_force({{"side", 0, {3.0, 4.0, 0.0}, 0.0}}, history);
   EXPECT_EQ(content_of(folder / "pictures/force.dat"),
             "# load\tside: displacement [um]\tside: force [pN]\n0\t0\t0\n1\t5\t50\n");
@@ -143,7 +159,7 @@ TEST(Pictures, WithoutGnuplotANoteSaysHowToDrawThem) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
   const std::string note =
-      output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0})
+      output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0}, output::Origin::Top)
           .draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(note.rfind("von_mises.png was not drawn: gnuplot is not installed", 0), 0U) << note;
@@ -154,7 +170,8 @@ TEST(Pictures, WithoutGnuplotANoteSaysHowToDrawThem) {
 TEST(Pictures, AFolderThatCannotBeWrittenOrNothingToDrawIsANoteToo) {
   const auto world = base::Communicator::world();
   const Gel gel;
-  const output::Pictures nowhere(world, "/proc/stroma", "gel", {1.0, 1.0, 1.0});
+  const output::Pictures nowhere(world, "/proc/stroma", "gel", {1.0, 1.0, 1.0},
+                                 output::Origin::Top);
   EXPECT_EQ(nowhere.draw_materials(gel.set, {"collagen", "vessel"}),
             "vessels.png was not drawn: cannot write into '/proc/stroma/pictures'");
   EXPECT_EQ(nowhere.draw_materials({}, {"collagen"}),

@@ -77,7 +77,7 @@ TEST(StressPanels, StandOnOneScale) {
       {"a rather long name of a member that takes several lines", map_of(60, 80, 2.0, 300.0f)},
       {"2 px", map_of(120, 90, -4.0, 200.0f)}};
   const std::string note =
-      draw_stress_panels(world, folder.path(), "A study", "collagen only", panels);
+      draw_stress_panels(world, folder.path(), "A study", "collagen only", panels, Origin::Top);
   if (std::system("gnuplot --version > /dev/null 2>&1") == 0) {
     EXPECT_EQ(note, "");
     EXPECT_EQ(content_of(folder / "von_mises.png").substr(1, 3), "PNG");
@@ -98,6 +98,10 @@ TEST(StressPanels, StandOnOneScale) {
   ASSERT_EQ(std::sscanf(lines_with(script, "set xrange ")[0].c_str(), "[%lf:%lf]", &low, &high), 2);
   EXPECT_LT(low, -4.0 - 0.525);
   EXPECT_GT(high, -4.0 - 0.525 + 120 * 1.05);
+  // The first row of the image is at the top: y falls on the way up.
+  ASSERT_EQ(std::sscanf(lines_with(script, "set yrange ")[0].c_str(), "[%lf:%lf]", &low, &high), 2);
+  EXPECT_GT(low, 0.25 + 89.5 * 0.5);
+  EXPECT_LT(high, 0.25 - 0.25);
   // The panels' edges: the same width in every column, and none reaches into the next.
   const auto left = lines_with(script, "set lmargin at screen "),
              right = lines_with(script, "set rmargin at screen ");
