@@ -1,220 +1,320 @@
 /// \file
-/// Volumes in HDF5 files: datasets [z][y][x], [y][x] or [c][z][y][x], read by hyperslab. The voxel
-/// size is the attribute `element_size_um` (z, y, x) of the dataset, the convention of ilastik and
-/// its kin.
+/// Volumes in HDF5 files, read by hyperslab. Which dataset: Hdf5Layout.hpp; which dimension is
+/// what: Hdf5Axes.hpp. Each rank opens the file itself.
 
 #include <hdf5.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "base/Log.hpp"
+#include "image/Hdf5Axes.hpp"
+#include "image/Hdf5File.hpp"
+#include "image/Hdf5Layout.hpp"
 #include "image/ImageSource.hpp"
 
 namespace stroma::image {
 namespace {
 
-/// Keeps HDF5's error stack off standard error while it lives.
-class Hdf5Messages {
- public:
-  Hdf5Messages() {
-    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Hdf5Messages() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-  Hdf5Messages(const Hdf5Messages&) = delete;
-  Hdf5Messages& operator=(const Hdf5Messages&) = delete;
+/// Values that are turned around, or converted, are read in pieces of about so many.
+constexpr std::int64_t piece_voxels = std::int64_t{1} << 22;
 
-  /// " (HDF5: REASON)" from the innermost entry of the stack, or nothing.
-  static std::string reason() {
-    std::string text;
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_entry, &text);
-    return text.empty() ? "" : " (HDF5: " + text + ")";
-  }
+/// A chunk is read as a whole, whatever is wanted of it; one larger than this and than the whole
+/// dataset is a mistake.
+constexpr double large_chunk_bytes = 64.0 * 1024 * 1024;
 
- private:
-  static herr_t first_entry(unsigned n, const H5E_error2_t* entry, void* text) {
-    if (n == 0 && entry->desc) *static_cast<std::string*>(text) = entry->desc;
-    return 0;
+std::string class_name(H5T_class_t kind) {
+  switch (kind) {
+    case H5T_STRING:
+      return "texts";
+    case H5T_COMPOUND:
+      return "compound values";
+    case H5T_REFERENCE:
+      return "references";
+    case H5T_VLEN:
+      return "lists of variable length";
+    case H5T_ARRAY:
+      return "arrays";
+    case H5T_TIME:
+      return "times";
+    case H5T_OPAQUE:
+      return "opaque bytes";
+    default:
+      return "numbers of an unusual size";
   }
-  H5E_auto2_t print_ = nullptr;
-  void* data_ = nullptr;
-};
+}
 
-/// An HDF5 identifier that is closed when it goes.
-class Handle {
- public:
-  using Close = herr_t (*)(hid_t);
-  Handle() = default;
-  Handle(hid_t id, Close close) : id_(id), close_(close) {}
-  Handle(Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
-  Handle& operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
-  }
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  hid_t get() const { return id_; }
-  bool good() const { return id_ >= 0; }
-
- private:
-  hid_t id_ = -1;
-  Close close_ = nullptr;
-};
+/// A dataset of which less than this share of the chunks was ever written is a broken header.
+constexpr double least_written = 1e-5;
 
 class Hdf5Source : public ImageSource {
  public:
-  Hdf5Source(const base::Communicator& communicator, const ImageRequest& request) {
+  explicit Hdf5Source(const ImageRequest& request) {
     const Hdf5Messages quiet;
     summary_.path = request.path;
-    summary_.format = "HDF5";
-    summary_.channel = request.channel;
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    if (communicator.size() > 1) {
-      H5Pset_fapl_mpio(access.get(), communicator.raw(), MPI_INFO_NULL);
-      H5Pset_all_coll_metadata_ops(access.get(), true);
-    }
-    file_ = Handle(H5Fopen(request.path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+    file_ = Hdf5Handle(H5Fopen(request.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!file_.good())
       refuse(request.path, "is a broken or truncated HDF5 file" + Hdf5Messages::reason());
-    open_dataset(request.dataset);
-    take_type();
-    take_size();
-    check_channel(request.path, request.channel, summary_.channels);
-    take_voxel_size();
+    Hdf5Place place = find_place(file_.get(), request);
+    summary_.format = place.format;
+    summary_.dataset = place.dataset;
+    summary_.voxel_size = place.voxel_size;
+    summary_.notes = std::move(place.notes);
+    dataset_ = Hdf5Handle(H5Dopen2(file_.get(), place.dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset_.good()) refuse_dataset("cannot be opened" + Hdf5Messages::reason());
+    take_type(place.meant_unsigned);
+    take_axes(place, request);
+    check_storage();
+    if (!summary_.voxel_size.complete()) take_voxel_size();
   }
 
   void read(const Box& box, double* values) override {
     const Hdf5Messages quiet;
-    std::vector<hsize_t> first, count;
-    if (rank_ == 4) {
-      first.push_back(static_cast<hsize_t>(summary_.channel));
-      count.push_back(1);
+    if (is_direct()) {
+      read_as_stored(box, H5T_NATIVE_DOUBLE, values);
+    } else {
+      Box piece = box;
+      const std::int64_t plane = box.count[0] * box.count[1];
+      const std::int64_t planes = std::max<std::int64_t>(1, piece_voxels / plane);
+      for (std::int64_t k = 0; k < box.count[2]; k += planes) {
+        piece.first[2] = box.first[2] + k;
+        piece.count[2] = std::min(planes, box.count[2] - k);
+        read_turned(piece, values + k * plane);
+      }
     }
-    for (int axis = std::min(rank_, 3) - 1; axis >= 0; --axis) {
-      first.push_back(static_cast<hsize_t>(box.first[static_cast<std::size_t>(axis)]));
-      count.push_back(static_cast<hsize_t>(box.count[static_cast<std::size_t>(axis)]));
-    }
-    const Handle in_file(H5Dget_space(dataset_.get()), H5Sclose);
-    const Handle in_memory(H5Screate_simple(rank_, count.data(), nullptr), H5Sclose);
-    const bool done = H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, first.data(), nullptr,
-                                          count.data(), nullptr) >= 0 &&
-                      H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(),
-                              H5P_DEFAULT, values) >= 0;
-    if (!done) {
-      refuse(summary_.path, "dataset \"" + summary_.dataset +
-                                "\" cannot be read (broken or truncated)" + Hdf5Messages::reason());
-    }
+    if (!meant_unsigned_) return;
+    const double range = std::ldexp(1.0, 8 * summary_.type.bytes);
+    for (std::int64_t i = 0; i < box.voxels(); ++i) values[i] += values[i] < 0.0 ? range : 0.0;
   }
 
  private:
-  /// Paths of all datasets of a file, in alphabetical order.
-  static herr_t collect(hid_t, const char* name, const H5O_info_t* info, void* names) {
-    if (info->type == H5O_TYPE_DATASET)
-      static_cast<std::vector<std::string>*>(names)->push_back(name);
-    return 0;
+  [[noreturn]] void refuse_dataset(const std::string& what) const {
+    refuse(summary_.path, "dataset \"" + summary_.dataset + "\" " + what);
   }
 
-  void open_dataset(const std::string& wanted) {
-    std::vector<std::string> names;
-    if (H5Ovisit2(file_.get(), H5_INDEX_NAME, H5_ITER_INC, collect, &names, H5O_INFO_BASIC) < 0)
-      refuse(summary_.path,
-             "is a broken HDF5 file: its datasets cannot be listed" + Hdf5Messages::reason());
-    if (names.empty()) refuse(summary_.path, "holds no dataset");
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    std::string name = wanted.compare(0, 1, "/") == 0 ? wanted.substr(1) : wanted;
-    if (wanted.empty()) {
-      if (names.size() > 1)
-        refuse(summary_.path, "holds several datasets; name one by Image|Dataset: " + list);
-      name = names.front();
-    }
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      refuse(summary_.path,
-             "holds no dataset \"" + wanted + "\" (Image|Dataset); admissible: " + list);
-    summary_.dataset = name;
-    dataset_ = Handle(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset_.good())
-      refuse(summary_.path, "dataset \"" + name + "\" cannot be opened" + Hdf5Messages::reason());
-  }
-
-  void take_type() {
-    const Handle type(H5Dget_type(dataset_.get()), H5Tclose);
+  void take_type(bool meant_unsigned) {
+    Hdf5Handle type(H5Dget_type(dataset_.get()), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type.get());
+    by_bytes_ = kind == H5T_ENUM || kind == H5T_BITFIELD;  // HDF5 makes no doubles of these
+    if (by_bytes_) native_ = Hdf5Handle(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), H5Tclose);
+    if (kind == H5T_ENUM) type = Hdf5Handle(H5Tget_super(type.get()), H5Tclose);
     const auto bytes = static_cast<int>(H5Tget_size(type.get()));
-    const bool integer = kind == H5T_INTEGER && bytes <= 8;
-    const bool real = kind == H5T_FLOAT && (bytes == 4 || bytes == 8);
+    const bool real = kind == H5T_FLOAT && (bytes == 2 || bytes == 4 || bytes == 8);
+    const bool integer =
+        (kind == H5T_INTEGER || by_bytes_) && bytes <= 8 &&
+        (!by_bytes_ || (native_.good() && static_cast<int>(H5Tget_size(native_.get())) == bytes));
     if (!integer && !real) {
-      refuse(summary_.path,
-             "dataset \"" + summary_.dataset +
-                 "\" holds neither integers nor floats of 32 or 64 bits; admissible: these");
+      refuse_dataset("holds " + class_name(kind) +
+                     "; admissible: integers up to 64 bits, floats of 16, 32 or 64 bits, enums "
+                     "(among them bool) and bit fields");
     }
     using Kind = ValueType::Kind;
-    const bool has_sign = integer && H5Tget_sign(type.get()) == H5T_SGN_2;
+    const bool has_sign = kind != H5T_BITFIELD && integer && H5Tget_sign(type.get()) == H5T_SGN_2;
+    meant_unsigned_ = meant_unsigned && has_sign;
     summary_.type = {real       ? Kind::floating
                      : has_sign ? Kind::signed_integer
                                 : Kind::unsigned_integer,
                      bytes};
+    if (!meant_unsigned_) return;
+    summary_.type.kind = Kind::unsigned_integer;
+    summary_.notes.emplace_back("the file's signed integers stand for unsigned ones; read so");
   }
 
-  void take_size() {
-    const Handle space(H5Dget_space(dataset_.get()), H5Sclose);
-    rank_ = H5Sget_simple_extent_ndims(space.get());
-    if (rank_ < 2 || rank_ > 4) {
-      refuse(summary_.path,
-             "dataset \"" + summary_.dataset +
-                 base::format("\" has %d dimensions; admissible: [y][x], [z][y][x], [c][z][y][x]",
-                              rank_));
+  void take_axes(const Hdf5Place& place, const ImageRequest& request) {
+    const Hdf5Handle space(H5Dget_space(dataset_.get()), H5Sclose);
+    const int rank = H5Sget_simple_extent_ndims(space.get());
+    extents_.assign(static_cast<std::size_t>(std::max(rank, 0)), 0);
+    H5Sget_simple_extent_dims(space.get(), extents_.data(), nullptr);
+    axes_ = find_axes(dataset_.get(), extents_, summary_.path, summary_.dataset, summary_.notes);
+    const auto extent = [&](int axis) {
+      return axis < 0 ? std::int64_t{1}
+                      : static_cast<std::int64_t>(extents_[static_cast<std::size_t>(axis)]);
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      summary_.file_size[axis] = extent(axes_.space[axis]);
+      if (!place.size) continue;
+      if ((*place.size)[axis] > summary_.file_size[axis]) {
+        refuse_dataset(base::format("has %lld voxels along %c, and its attributes say %lld",
+                                    static_cast<long long>(summary_.file_size[axis]), "xyz"[axis],
+                                    static_cast<long long>((*place.size)[axis])));
+      }
+      summary_.file_size[axis] = (*place.size)[axis];
     }
-    std::vector<hsize_t> extent(static_cast<std::size_t>(rank_));
-    H5Sget_simple_extent_dims(space.get(), extent.data(), nullptr);
-    summary_.file_size = {1, 1, 1};
-    for (int axis = 0; axis < std::min(rank_, 3); ++axis)
-      summary_.file_size[static_cast<std::size_t>(axis)] =
-          static_cast<std::int64_t>(extent[static_cast<std::size_t>(rank_ - 1 - axis)]);
-    summary_.channels = rank_ == 4 ? static_cast<std::int64_t>(extent[0]) : 1;
-    // Chunks that were never written take no room in the file, so the file's length alone is no
-    // measure.
-    check_size(summary_.path, summary_.file_size, summary_.channels, summary_.type.bytes,
-               H5Dget_storage_size(dataset_.get()), largest_expansion);
+    summary_.channels = place.has_own_axes ? extent(axes_.channel) : place.channels;
+    summary_.frames = place.has_own_axes ? extent(axes_.time) : place.frames;
+    summary_.channel = request.channel;
+    summary_.frame = request.frame;
+    check_channel(summary_.path, request.channel, summary_.channels);
+    check_frame(summary_.path, request.frame, summary_.frames);
+    if (!place.has_own_axes) return;
+    own_channel_ = request.channel;
+    own_frame_ = request.frame;
+  }
+
+  /// Refuses what this HDF5 cannot decompress, values that lie in other files (HDF5 takes zeros for
+  /// missing ones), and sizes that the file does not hold; notes what was never written.
+  void check_storage() {
+    const Hdf5Handle creation(H5Dget_create_plist(dataset_.get()), H5Pclose);
+    const H5D_layout_t layout = H5Pget_layout(creation.get());
+    if (const auto missing = missing_filter(creation.get())) {
+      refuse_dataset("is compressed by " + *missing +
+                     ", which this program does not support; write it with gzip, or without "
+                     "compression");
+    }
+    if (layout == H5D_VIRTUAL || H5Pget_external_count(creation.get()) > 0)
+      refuse_dataset("has its values in other files, which is not supported; copy them into one");
+    const hsize_t stored = H5Dget_storage_size(dataset_.get());
+    double values = 1.0;
+    for (const hsize_t extent : extents_) values *= static_cast<double>(extent);
+    check_size(summary_.path, summary_.file_size, 1, summary_.type.bytes, stored,
+               std::numeric_limits<double>::infinity());
+    if (stored == 0) refuse_dataset("holds no values: none was ever written");
+    if (layout == H5D_CHUNKED) return check_chunks(creation.get());
+    std::error_code trouble;
+    const auto length = static_cast<double>(std::filesystem::file_size(summary_.path, trouble));
+    if (values * summary_.type.bytes > std::min(static_cast<double>(stored), length)) {
+      refuse_dataset(base::format(
+          "says that it holds %.0f values of %d bytes; its %llu bytes in a file of %.0f cannot "
+          "hold "
+          "them (broken or truncated)",
+          values, summary_.type.bytes, static_cast<unsigned long long>(stored), length));
+    }
+  }
+
+  void check_chunks(hid_t creation) {
+    std::vector<hsize_t> chunk(extents_.size(), 1);
+    hsize_t written = 0;
+    if (H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()) < 0 ||
+        H5Dget_num_chunks(dataset_.get(), H5S_ALL, &written) < 0)
+      refuse_dataset("is broken: its chunks cannot be counted" + Hdf5Messages::reason());
+    double bytes = summary_.type.bytes, chunks = 1.0, all_bytes = bytes;
+    for (std::size_t d = 0; d < chunk.size(); ++d) {
+      const auto side = static_cast<double>(std::max<hsize_t>(chunk[d], 1));
+      bytes *= side;
+      all_bytes *= static_cast<double>(extents_[d]);
+      chunks *= std::ceil(static_cast<double>(extents_[d]) / side);
+    }
+    if (bytes > std::max(large_chunk_bytes, all_bytes)) {
+      refuse_dataset(
+          base::format("of %.0f bytes has chunks of %.0f bytes (broken)", all_bytes, bytes));
+    }
+    if (static_cast<double>(written) < least_written * chunks) {
+      refuse_dataset(
+          base::format("says that it has %.0f chunks, of which %llu were ever written (broken)",
+                       chunks, static_cast<unsigned long long>(written)));
+    }
+    if (static_cast<double>(written) < chunks) {
+      summary_.notes.push_back(base::format(
+          "%.0f of the dataset's %.0f chunks were never written; they hold its fill value",
+          chunks - static_cast<double>(written), chunks));
+    }
   }
 
   void take_voxel_size() {
     static const char* const name = "element_size_um";
-    if (H5Aexists(dataset_.get(), name) <= 0) return;
-    const Handle attribute(H5Aopen(dataset_.get(), name, H5P_DEFAULT), H5Aclose);
-    const Handle space(H5Aget_space(attribute.get()), H5Sclose);
-    const Handle type(H5Aget_type(attribute.get()), H5Tclose);
-    const H5T_class_t kind = H5Tget_class(type.get());
-    const bool numbers = kind == H5T_FLOAT || kind == H5T_INTEGER;
-    double sizes[3] = {};
-    const bool good = numbers && H5Sget_simple_extent_npoints(space.get()) == 3 &&
-                      H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, sizes) >= 0 && sizes[0] > 0.0 &&
-                      sizes[1] > 0.0 && sizes[2] > 0.0 &&
-                      std::isfinite(sizes[0] + sizes[1] + sizes[2]);
-    if (!good) {
-      summary_.notes.push_back(
-          "the attribute element_size_um is not three positive numbers (z, y, x); not used");
+    const Hdf5Handle root = open_object(file_.get(), "/");
+    for (const hid_t object : {dataset_.get(), root.get()}) {
+      if (H5Aexists(object, name) <= 0) continue;
+      const std::vector<double> sizes = number_attribute(object, name);
+      const bool good = sizes.size() == 3 &&
+                        std::all_of(sizes.begin(), sizes.end(),
+                                    [](double size) { return size > 0.0 && std::isfinite(size); });
+      if (!good) {
+        summary_.notes.push_back(
+            "the attribute element_size_um is not three positive numbers (z, y, x); not used");
+        continue;
+      }
+      for (int axis = 0; axis < 3; ++axis)
+        summary_.voxel_size.set(axis, sizes[static_cast<std::size_t>(2 - axis)],
+                                "HDF5 attribute element_size_um");
       return;
     }
-    for (int axis = 0; axis < 3; ++axis)
-      summary_.voxel_size.set(axis, sizes[2 - axis], "HDF5 attribute element_size_um");
+    // Attributes that other programs write, without a unit or an order of their own.
+    for (const char* other : {"element_size", "spacing", "voxel_size", "voxelSize", "resolution",
+                              "pixelResolution", "pixel_size"}) {
+      const std::vector<double> sizes = number_attribute(dataset_.get(), other);
+      if (sizes.empty()) continue;
+      std::string list;
+      for (const double size : sizes) list += (list.empty() ? "" : ", ") + base::format("%g", size);
+      summary_.notes.push_back(std::string("the attribute ") + other + " (" + list +
+                               ") says neither its unit nor its order; not used");
+    }
   }
 
-  Handle file_;
-  Handle dataset_;
-  int rank_ = 0;
+  /// Whether the dataset lies as a volume does, and HDF5 makes doubles of its values.
+  bool is_direct() const {
+    const auto [x, y, z] = axes_.space;
+    return !by_bytes_ && z < y && y < x;
+  }
+
+  /// The values of a box, in the file's own order.
+  void read_as_stored(const Box& box, hid_t type, void* values) const {
+    std::vector<hsize_t> first(extents_.size(), 0), count(extents_.size(), 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axes_.space[axis] < 0) continue;
+      const auto d = static_cast<std::size_t>(axes_.space[axis]);
+      first[d] = static_cast<hsize_t>(box.first[axis]);
+      count[d] = static_cast<hsize_t>(box.count[axis]);
+    }
+    if (axes_.channel >= 0)
+      first[static_cast<std::size_t>(axes_.channel)] = static_cast<hsize_t>(own_channel_);
+    if (axes_.time >= 0)
+      first[static_cast<std::size_t>(axes_.time)] = static_cast<hsize_t>(own_frame_);
+    const Hdf5Handle in_file(H5Dget_space(dataset_.get()), H5Sclose);
+    const Hdf5Handle in_memory(
+        H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+    const bool done =
+        H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
+                            nullptr) >= 0 &&
+        H5Dread(dataset_.get(), type, in_memory.get(), in_file.get(), H5P_DEFAULT, values) >= 0;
+    if (!done) refuse_dataset("cannot be read (broken or truncated)" + Hdf5Messages::reason());
+  }
+
+  void read_turned(const Box& box, double* values) const {
+    const std::int64_t voxels = box.voxels();
+    std::vector<double> stored(static_cast<std::size_t>(voxels));
+    if (by_bytes_) {
+      std::vector<unsigned char> bytes(stored.size() *
+                                       static_cast<std::size_t>(summary_.type.bytes));
+      read_as_stored(box, native_.get(), bytes.data());
+      decode(bytes.data(), summary_.type, false, voxels, 1, stored.data());
+    } else {
+      read_as_stored(box, H5T_NATIVE_DOUBLE, stored.data());
+    }
+    // Stride of an axis: the product of what the later dimensions have in the box.
+    std::array<std::int64_t, 3> stride{0, 0, 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      stride[axis] = 1;
+      for (std::size_t other = 0; other < 3; ++other) {
+        if (axes_.space[other] > axes_.space[axis]) stride[axis] *= box.count[other];
+      }
+    }
+    for (std::int64_t k = 0; k < box.count[2]; ++k) {
+      for (std::int64_t j = 0; j < box.count[1]; ++j) {
+        for (std::int64_t i = 0; i < box.count[0]; ++i) {
+          const std::int64_t place = i * stride[0] + j * stride[1] + k * stride[2];
+          *values++ = stored[static_cast<std::size_t>(place)];
+        }
+      }
+    }
+  }
+
+  Hdf5Handle file_, dataset_, native_;
+  std::vector<hsize_t> extents_;
+  Hdf5Axes axes_;
+  std::int64_t own_channel_ = 0, own_frame_ = 0;  ///< along the dataset's own axes
+  bool by_bytes_ = false;                         ///< read in its native type, and decoded here
+  bool meant_unsigned_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<ImageSource> open_hdf5(const base::Communicator& communicator,
-                                       const ImageRequest& request) {
-  return std::make_unique<Hdf5Source>(communicator, request);
+std::unique_ptr<ImageSource> open_hdf5(const ImageRequest& request) {
+  return std::make_unique<Hdf5Source>(request);
 }
 
 }  // namespace stroma::image

@@ -155,8 +155,10 @@ deck::Section<ImageParameters> image_section() {
                 "NRRD, MetaImage, NIfTI "
                 "or HDF5. Either File or the sublist Phantom.")
       .optional("Dataset", &ImageParameters::dataset, not_empty(),
-                "The dataset of an HDF5 file: [z][y][x], [y][x], or [c][z][y][x]. Needed when the "
-                "file holds several.")
+                "The dataset of an HDF5 file. Its axes are those that the attribute axistags or "
+                "DIMENSION_LABELS states, else [y][x], [z][y][x], [c][z][y][x] or "
+                "[t][c][z][y][x]. Needed when the file holds several, but for files of Imaris and "
+                "BigDataViewer, where Channel and Frame choose it.")
       .optional("Channel", &ImageParameters::channel, not_negative(),
                 "The channel to read, counted from 0.")
       .optional("Frame", &ImageParameters::frame, not_negative(),

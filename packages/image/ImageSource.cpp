@@ -172,7 +172,6 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
                                         const ImageRequest& request) {
   int format = 0;
   std::unique_ptr<ImageSource> source;
-  const base::Communicator alone = base::Communicator::self();
   const auto open = [&] {
     switch (static_cast<Format>(format)) {
       case Format::tiff:
@@ -182,7 +181,7 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
         source = open_pic(request);
         break;
       case Format::hdf5:
-        source = open_hdf5(alone, request);
+        source = open_hdf5(request);
         break;
       case Format::itk:
         source = open_with_itk(request);
@@ -203,12 +202,7 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
   if (communicator.size() == 1) return source;
   communicator.broadcast(format);
   base::collectively(communicator, [&] {
-    if (static_cast<Format>(format) == Format::hdf5) {
-      source.reset();
-      source = open_hdf5(communicator, request);
-    } else if (!communicator.is_root()) {
-      open();
-    }
+    if (!communicator.is_root()) open();
   });
   return source;
 }

@@ -44,9 +44,7 @@ struct ImageRequest {
 std::unique_ptr<ImageSource> open_tiff(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_pic(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_with_itk(const ImageRequest& request);
-/// Collective over the communicator, through MPI-IO, unless the communicator has a single rank.
-std::unique_ptr<ImageSource> open_hdf5(const base::Communicator& communicator,
-                                       const ImageRequest& request);
+std::unique_ptr<ImageSource> open_hdf5(const ImageRequest& request);
 
 /// Opens a file by what it begins with, not by its name. Collective.
 /// \throws base::InputError on all ranks: missing, a folder, empty, no known format, or broken
