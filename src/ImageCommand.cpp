@@ -80,6 +80,37 @@ void print_objects(const base::Communicator& communicator, const image::LabelVol
       printable(count), static_cast<int>(connectivity), printable(large), printable(largest)));
 }
 
+/// What the values are: extremes, percentiles, histogram, Otsu's threshold and objects above it.
+void print_intensities(const base::Communicator& communicator, image::IntensityVolume volume,
+                       const image::ValueType& type, base::Log& log) {
+  const image::Statistics statistics = image::statistics(communicator, volume);
+  const image::Histogram histogram = image::histogram(communicator, volume, type);
+  log.line(format("intensity    min %.9g, max %.9g, mean %.6g, standard deviation %.6g",
+                  statistics.min, statistics.max, statistics.mean, statistics.deviation));
+  const image::Histogram fine =
+      histogram.levels ? histogram : image::equal_bins(communicator, volume, 65536);
+  std::string percentiles;
+  for (const double percent : {1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9}) {
+    percentiles += percentiles.empty() ? "percentiles  " : ", ";
+    percentiles += format("%g %%: %.6g", percent, image::percentile(fine, percent));
+  }
+  log.line(percentiles);
+  print_histogram(histogram, log);
+  if (!(statistics.max > statistics.min)) {
+    log.line("Otsu         none: all voxels have the same value");
+    return;
+  }
+  const double threshold = image::otsu_threshold(histogram);
+  const double fraction = image::fraction_above(communicator, volume, threshold);
+  log.line(format("Otsu         threshold %.9g (%s); above it: %.6f of the volume, %lld voxels",
+                  threshold, histogram.levels ? "one bin per level" : "equal bins", fraction,
+                  printable(std::llround(fraction * static_cast<double>(volume.voxels())))));
+  const image::LabelVolume labels = image::threshold_labels(volume, threshold);
+  volume = image::IntensityVolume();
+  print_objects(communicator, labels, image::Connectivity::faces, log);
+  print_objects(communicator, labels, image::Connectivity::corners, log);
+}
+
 }  // namespace
 
 int image_command(const base::Communicator& communicator, const ImageOptions& options,
@@ -99,32 +130,11 @@ int image_command(const base::Communicator& communicator, const ImageOptions& op
   image::IntensityVolume volume = image::read_volume(communicator, parameters, "", summary);
   print_summary(summary, log);
 
-  const image::Statistics statistics = image::statistics(communicator, volume);
-  const image::Histogram histogram = image::histogram(communicator, volume, summary.type);
-  log.line(format("intensity    min %.9g, max %.9g, mean %.6g, standard deviation %.6g",
-                  statistics.min, statistics.max, statistics.mean, statistics.deviation));
-  const image::Histogram fine =
-      histogram.levels ? histogram : image::equal_bins(communicator, volume, 65536);
-  std::string percentiles;
-  for (const double percent : {1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9}) {
-    percentiles += percentiles.empty() ? "percentiles  " : ", ";
-    percentiles += format("%g %%: %.6g", percent, image::percentile(fine, percent));
+  try {
+    print_intensities(communicator, std::move(volume), summary.type, log);
+  } catch (const base::InputError& error) {  // thrown on all ranks alike
+    throw base::InputError(summary.path + ": " + error.what());
   }
-  log.line(percentiles);
-  print_histogram(histogram, log);
-  if (!(statistics.max > statistics.min)) {
-    log.line("Otsu         none: all voxels have the same value");
-    return 0;
-  }
-  const double threshold = image::otsu_threshold(histogram);
-  const double fraction = image::fraction_above(communicator, volume, threshold);
-  log.line(format("Otsu         threshold %.9g (%s); above it: %.6f of the volume, %lld voxels",
-                  threshold, histogram.levels ? "one bin per level" : "equal bins", fraction,
-                  printable(std::llround(fraction * static_cast<double>(volume.voxels())))));
-  const image::LabelVolume labels = image::threshold_labels(volume, threshold);
-  volume = image::IntensityVolume();
-  print_objects(communicator, labels, image::Connectivity::faces, log);
-  print_objects(communicator, labels, image::Connectivity::corners, log);
   return 0;
 }
 

@@ -34,6 +34,10 @@ std::string meta_image(const std::string& size, const std::string& values) {
          values;
 }
 
+std::string project_file(const std::string& name) {
+  return content_of(fs::path(STROMA_SOURCE_DIR) / name);
+}
+
 struct BrokenImage {
   std::string name;
   std::string file;
@@ -89,9 +93,34 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenImage{"values_missing", "short.mha", [] { return meta_image("8 8 8", "abc"); }, "",
                     "is truncated"},
         BrokenImage{"missing_channel", "sound.tif", sound_tiff, "--channel 7", "has no channel 7"},
+        BrokenImage{"a_value_that_is_nan", "onenan.tif",
+                    [] { return project_file("tests/data/cases/nan_voxel/onenan.tif"); }, "",
+                    ": 1 of "},
+        BrokenImage{"hdf5_in_half", "half.h5",
+                    [] { return project_file("tests/fuzz/images/plain.h5").substr(0, 1900); }, "",
+                    "broken or truncated HDF5"},
         BrokenImage{"unknown_format", "image.xyz", [] { return std::string("hello"); }, "",
                     "admissible: TIFF"}),
     [](const auto& info) { return info.param.name; });
+
+// Each rank opens HDF5 files itself: none waits for one that has given up.
+TEST(BrokenHdf5, EndsAlikeOnTwoRanks) {
+  const std::string sound = project_file("tests/fuzz/images/chunked.h5");
+  ASSERT_GT(sound.size(), 4000U);
+  const TemporaryFolder folder;
+  folder.write("sound.h5", sound);
+  EXPECT_EQ(run_stroma(folder.path(), "image sound.h5", 2).status, 0);
+  std::string damaged = sound;
+  for (std::size_t at = 2100; at < damaged.size(); at += 40)
+    damaged[at] = static_cast<char>(~damaged[at]);
+  for (const std::string& bytes : {sound.substr(0, 3000), damaged}) {
+    folder.write("broken.h5", bytes);
+    const Outcome outcome = run_stroma(folder.path(), "image broken.h5", 2);
+    EXPECT_EQ(outcome.status, 2) << outcome.standard_error;
+    EXPECT_NE(outcome.standard_error.find("broken.h5: "), std::string::npos)
+        << outcome.standard_error;
+  }
+}
 
 }  // namespace
 }  // namespace stroma::test
