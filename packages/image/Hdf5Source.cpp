@@ -188,8 +188,9 @@ class Hdf5Source : public ImageSource {
   void check_chunks(hid_t creation) {
     std::vector<hsize_t> chunk(extents_.size(), 1);
     hsize_t written = 0;
+    const Hdf5Handle space(H5Dget_space(dataset_.get()), H5Sclose);
     if (H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()) < 0 ||
-        H5Dget_num_chunks(dataset_.get(), H5S_ALL, &written) < 0)
+        H5Dget_num_chunks(dataset_.get(), space.get(), &written) < 0)
       refuse_dataset("is broken: its chunks cannot be counted" + Hdf5Messages::reason());
     double bytes = summary_.type.bytes, chunks = 1.0, all_bytes = bytes;
     for (std::size_t d = 0; d < chunk.size(); ++d) {

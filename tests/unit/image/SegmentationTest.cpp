@@ -204,7 +204,7 @@ TEST(Segmentation, SmoothingFarBeyondTheImageLeavesTheMean) {
 TEST(Segmentation, EmptyLabelsBecomeEmptySpace) {
   const base::Communicator world = base::Communicator::world();
   const auto blocks = [](std::int64_t x, std::int64_t y, std::int64_t, std::int64_t) {
-    return x < 3 ? 0.0 : y < 2 ? 100.0 : 255.0;
+    return x < 3 ? 0.0 : y < 2 ? 240.0 : 255.0;
   };
   image::ImageParameters parameters =
       parameters_for("empty.tif", {Kind::unsigned_integer, 1}, blocks, {8, 4, 5});
@@ -216,7 +216,7 @@ TEST(Segmentation, EmptyLabelsBecomeEmptySpace) {
   using Fractions = std::map<std::int32_t, double>;
   parameters.segmentation.method = Method::labels;
   parameters.segmentation.empty_labels = std::vector<int>{0, 255, 7};
-  EXPECT_EQ(fractions(), (Fractions{{-1, 110.0 / 160.0}, {100, 50.0 / 160.0}}));
+  EXPECT_EQ(fractions(), (Fractions{{-1, 110.0 / 160.0}, {240, 50.0 / 160.0}}));
   const auto count = summary.notes.size();
   ASSERT_GE(count, 3u);
   EXPECT_EQ(summary.notes[count - 3], "Empty Labels: label 0, 60 of 160 voxels, is empty space");
