@@ -1,0 +1,8 @@
+/// \file
+/// Fuzz target: any bytes, read as a Bio-Rad PIC file.
+
+#include "AnyImageFile.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  return stroma::fuzz::read_image_file(bytes, size, stroma::image::open_pic);
+}
