@@ -151,7 +151,8 @@ deck::Section<ImageParameters> image_section() {
   deck::Section<ImageParameters> section("Image", "The specimen: an image file, or a phantom.");
   section
       .optional("File", &ImageParameters::file, not_empty(),
-                "The image, relative to the deck: TIFF (also ImageJ and OME stacks), Bio-Rad PIC, "
+                "The image, relative to the deck: TIFF (also stacks of ImageJ, OME, MetaMorph, "
+                "Zeiss LSM), Bio-Rad PIC, "
                 "NRRD, MetaImage, NIfTI "
                 "or HDF5. Either File or the sublist Phantom.")
       .optional("Dataset", &ImageParameters::dataset, not_empty(),
