@@ -11,7 +11,7 @@ packages=(
   # solvers, MPI
   trilinos-all-dev libptscotch-dev libopenmpi-dev openmpi-bin
   # files
-  libhdf5-openmpi-dev libexodusii-dev libinsighttoolkit5-dev libtiff-dev zlib1g-dev
+  libhdf5-openmpi-dev libexodusii-dev libtiff-dev zlib1g-dev libbz2-dev
   libyaml-cpp-dev libexpat1-dev
   # command line, pictures
   libcli11-dev gnuplot-nox fonts-dejavu-core

@@ -9,21 +9,24 @@
 
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "image/UnpackedFile.hpp"
 
 namespace stroma::image {
 namespace {
 
-enum class Format { tiff, pic, hdf5, itk };
+enum class Format { tiff, pic, hdf5, metaimage, nrrd, nifti };
 
 bool begins_with(const std::string& head, const std::string& magic) {
   return head.compare(0, magic.size(), magic) == 0;
 }
 
+/// By the size of its header, in either byte order: whether it is whole, its reader says.
 bool is_nifti(const std::string& head) {
-  const auto has = [&](std::size_t at, const std::string& magic) {
-    return head.size() >= at + magic.size() && head.compare(at, magic.size(), magic) == 0;
-  };
-  return has(344, "n+1") || has(344, "ni1") || has(4, "n+2") || has(4, "ni2");
+  for (const std::string size : {"\x5C\x01", "\x1C\x02"}) {  // 348, 540
+    const std::string zeros(2, '\0'), reversed(size.rbegin(), size.rend());
+    if (begins_with(head, size + zeros) || begins_with(head, zeros + reversed)) return true;
+  }
+  return false;
 }
 
 /// The first bytes of a file, after the questions that come before its format.
@@ -49,13 +52,14 @@ Format format_of(const std::string& path) {
   if (tiff_order && head.size() >= 4 && (head[2] + head[3] == 42 || head[2] + head[3] == 43))
     return Format::tiff;  // 42: classic, 43: BigTIFF
   if (begins_with(head, "\x89HDF\r\n\x1a\n")) return Format::hdf5;
-  if (begins_with(head, "NRRD") || is_nifti(head)) return Format::itk;
+  if (begins_with(head, "NRRD")) return Format::nrrd;
+  if (is_nifti(head)) return Format::nifti;
   if (head.find("ObjectType") != std::string::npos || head.find("NDims") != std::string::npos)
-    return Format::itk;
-  const std::string name = std::filesystem::path(path).filename().string();
-  const bool gzip = begins_with(head, "\x1f\x8b");
-  if (gzip && name.size() > 7 && name.compare(name.size() - 7, 7, ".nii.gz") == 0)
-    return Format::itk;
+    return Format::metaimage;
+  if (is_gzip(head)) {
+    if (is_nifti(first_unpacked_bytes(path, 4, Packing::gzip))) return Format::nifti;
+    refuse(path, "is packed by gzip, and holds no NIfTI image; unpack it first");
+  }
   if (head.size() >= 56 && head[54] == '\x39' && head[55] == '\x30') return Format::pic;
   refuse(path,
          "is in no format known here (judged by its first bytes); admissible: TIFF, Bio-Rad PIC, "
@@ -169,7 +173,9 @@ void read_raw(const std::string& path, std::uint64_t offset, const ValueType& ty
 }
 
 std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
-                                        const ImageRequest& request) {
+                                        const ImageRequest& wanted) {
+  ImageRequest request = wanted;
+  request.reads_whole = communicator.is_root();
   int format = 0;
   std::unique_ptr<ImageSource> source;
   const auto open = [&] {
@@ -183,8 +189,14 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
       case Format::hdf5:
         source = open_hdf5(request);
         break;
-      case Format::itk:
-        source = open_with_itk(request);
+      case Format::metaimage:
+        source = open_metaimage(request);
+        break;
+      case Format::nrrd:
+        source = open_nrrd(request);
+        break;
+      case Format::nifti:
+        source = open_nifti(request);
         break;
     }
     check_frame(request.path, request.frame, source->summary().frames);

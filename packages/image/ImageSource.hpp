@@ -39,11 +39,14 @@ struct ImageRequest {
   std::string dataset;  ///< HDF5 only; empty: the only one
   int channel = 0;
   int frame = 0;  ///< of a time series
+  bool reads_whole = true;  ///< this rank will read a file that cannot be read in parts
 };
 
 std::unique_ptr<ImageSource> open_tiff(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_pic(const ImageRequest& request);
-std::unique_ptr<ImageSource> open_with_itk(const ImageRequest& request);
+std::unique_ptr<ImageSource> open_metaimage(const ImageRequest& request);
+std::unique_ptr<ImageSource> open_nrrd(const ImageRequest& request);
+std::unique_ptr<ImageSource> open_nifti(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_hdf5(const ImageRequest& request);
 
 /// Opens a file by what it begins with, not by its name. Collective.

@@ -15,9 +15,10 @@ namespace stroma::image {
 /// Reads the region of an image file that the parameters name, each rank its slab of planes.
 /// Collective.
 ///
-/// TIFF (single, multi-page, ImageJ stacks and hyperstacks, OME-TIFF), Bio-Rad PIC, HDF5 and raw
-/// MetaImage: each rank reads its own planes. NRRD, NIfTI and compressed MetaImage, which ITK
-/// cannot read in parts: rank 0 reads the file and hands it out plane by plane.
+/// TIFF (single, multi-page, ImageJ stacks and hyperstacks, OME-TIFF), Bio-Rad PIC, HDF5 and what
+/// lies as plain numbers in MetaImage, NRRD and NIfTI: each rank reads its own planes. Packed
+/// values, and values as text, cannot be read in parts: rank 0 reads them and hands them out plane
+/// by plane.
 ///
 /// The voxel size is the deck's, else the file's; an axis that neither states is left 0 (see
 /// ImageSummary), and require_voxel_size() turns that into an error.

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "is empty (0 bytes)"},
         BrokenImage{"absurd_dimensions", "absurd.mha",
                     [] { return meta_image("1000000000 1000000000 1000", "abc"); }, "",
-                    "cannot hold them"},
+                    "more than any file holds"},
         BrokenImage{"values_missing", "short.mha", [] { return meta_image("8 8 8", "abc"); }, "",
                     "is truncated"},
         BrokenImage{"missing_channel", "sound.tif", sound_tiff, "--channel 7", "has no channel 7"},

@@ -124,11 +124,11 @@ TEST(BrokenFiles, NrrdMetaImageNifti) {
   const std::string nrrd = made("good.nrrd", [](const std::string& path) {
     write_nrrd(path, size, "uint8", u8, false, pattern_for(u8), "");
   });
-  expect_refused("cut.nrrd", nrrd.substr(0, nrrd.size() - 7), "broken or truncated NRRD");
+  expect_refused("cut.nrrd", nrrd.substr(0, nrrd.size() - 7), "is truncated: its header announces");
   expect_refused(
       "absurd.nrrd",
       "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1000000000 1000000000 1\nencoding: raw\n\nx",
-      "cannot hold them");
+      "is truncated: its header announces");
   expect_refused("zero.nrrd",
                  "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 0 3\nencoding: raw\n\n",
                  "zero.nrrd");
@@ -146,7 +146,7 @@ TEST(BrokenFiles, NrrdMetaImageNifti) {
                  "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 1000000000 "
                  "1000000000 1\nElementType = "
                  "MET_UCHAR\nElementDataFile = LOCAL\nx",
-                 "cannot hold them");
+                 "is truncated: its header announces");
   const std::string nifti = made("good.nii", [](const std::string& path) {
     write_nifti(path, size, 2, u8, pattern_for(u8), {1, 1, 1}, 3);
   });

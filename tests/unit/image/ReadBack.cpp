@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "LibraryMessages.hpp"
 #include "base/Error.hpp"
-#include "image/LibraryMessages.hpp"
 
 namespace stroma::test {
 
@@ -39,7 +39,7 @@ bool has_note(const image::ImageSummary& summary, const std::string& words) {
 void expect_refused(const image::ImageParameters& parameters, const std::string& words) {
   std::string said = "nothing", printed;
   {
-    const image::LibraryMessages messages;
+    const LibraryMessages messages;
     try {
       image::ImageSummary summary;
       read_back(parameters, summary);

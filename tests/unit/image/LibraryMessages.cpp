@@ -1,4 +1,4 @@
-#include "image/LibraryMessages.hpp"
+#include "LibraryMessages.hpp"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-namespace stroma::image {
+namespace stroma::test {
 
 LibraryMessages::LibraryMessages() : file_(std::tmpfile()) {
   if (!file_) return;  // no room for it: the messages are seen
@@ -37,4 +37,4 @@ std::string LibraryMessages::text() const {
   return line;
 }
 
-}  // namespace stroma::image
+}  // namespace stroma::test

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace stroma::image {
+namespace stroma::test {
 
 /// While it lives, standard error (C's and C++'s) goes to a temporary file. Not for use beside
 /// other threads that write there.
@@ -25,4 +25,4 @@ class LibraryMessages {
   int standard_error_ = -1;
 };
 
-}  // namespace stroma::image
+}  // namespace stroma::test
