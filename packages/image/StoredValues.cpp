@@ -159,6 +159,9 @@ void StoredValues::parse_text(const std::string& path, std::vector<std::string>&
     }
     if (found > count) break;
   }
+  if (found == count - 1 && !word.empty())
+    notes.push_back(fs::path(path).filename().string() +
+                    " ends right behind its last value, which may have been cut short");
   end_word();
   if (found < count)
     refuse(path, base::format("is truncated: its header announces %lld values, %lld are there",

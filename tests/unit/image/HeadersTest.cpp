@@ -194,9 +194,9 @@ TEST(MetaImage, WhatIsMissingIsNamed) {
   expect_refused(write("few.mhd", meta("MET_UCHAR", "", "LIST") + "short.raw\n"),
                  "lists 1 files; its size takes 3");
   const std::string text = as_text(u16);
-  expect_refused(write("few.mha", meta("MET_USHORT", "BinaryData = False\n", "LOCAL") +
-                                      text.substr(0, text.size() - 3)),
-                 "is broken: ");
+  read(write("cut_word.mha", meta("MET_USHORT", "BinaryData = False\n", "LOCAL") +
+                                 text.substr(0, text.size() - 3)));
+  EXPECT_TRUE(noted("may have been cut short"));
   expect_refused(write("fewer.mha", meta("MET_USHORT", "BinaryData = False\n", "LOCAL") +
                                         text.substr(0, text.size() / 2)),
                  "is truncated: its header announces 60 values");
