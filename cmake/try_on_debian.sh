@@ -89,7 +89,7 @@ timed() {
 }
 inside 'bash cmake/install_dependencies.sh demo'
 inside '. /etc/os-release; echo "== $PRETTY_NAME, $(git rev-parse --short HEAD), GCC $(g++ -dumpfullversion)"
-  dpkg-query -W -f "== \${Package} \${Version}\n" trilinos-all-dev libinsighttoolkit5-dev libhdf5-openmpi-dev libopenmpi-dev'
+  dpkg-query -W -f "== \${Package} \${Version}\n" trilinos-all-dev libtiff-dev libhdf5-openmpi-dev libopenmpi-dev'
 [[ $part == test ]] || timed demo 'bash cmake/demo.sh'
 if [[ $part != demo && $suite != sid ]]; then
   timed tests 'bash cmake/test.sh'

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/Log.hpp"
 #include "image/ImageSource.hpp"
 #include "image/StoredValues.hpp"
 #include "image/UnpackedFile.hpp"
@@ -25,6 +24,8 @@ class HeaderedSource : public ImageSource {
     summary_.type = header.type;
     if (scaled()) summary_.type = {ValueType::Kind::floating, 8};
     summary_.channels = header.channels;
+    summary_.frames = header.frames;
+    summary_.frame = request.frame;
     summary_.voxel_size = header.voxel_size;
     summary_.notes = header_.notes;
   }
@@ -36,9 +37,9 @@ class HeaderedSource : public ImageSource {
     const std::int64_t row = (box.count[0] - 1) * stride[0] + 1;
     const std::int64_t rows = (box.count[1] - 1) * stride[1] + row;
     for (std::int64_t k = 0; k < box.count[2]; ++k) {
-      const std::int64_t first = box.first[0] * stride[0] + box.first[1] * stride[1] +
-                                 (box.first[2] + k) * stride[2] +
-                                 summary_.channel * header_.channel_stride;
+      const std::int64_t first =
+          box.first[0] * stride[0] + box.first[1] * stride[1] + (box.first[2] + k) * stride[2] +
+          summary_.channel * header_.channel_stride + summary_.frame * header_.frame_stride;
       const unsigned char* const bytes = stored_.bytes(first, rows);
       for (std::int64_t j = 0; j < box.count[1]; ++j) {
         decode(bytes + j * stride[1] * stored_.type().bytes, stored_.type(), stored_.swapped(),
@@ -55,9 +56,7 @@ class HeaderedSource : public ImageSource {
 
   /// What can be told without looking at the files.
   static const VolumeHeader& check(const ImageRequest& request, const VolumeHeader& header) {
-    if (header.frames != 1)
-      refuse(header.path, base::format("is a time series of %lld frames; admissible: one volume",
-                                       static_cast<long long>(header.frames)));
+    check_frame(header.path, request.frame, header.frames);
     check_channel(header.path, request.channel, header.channels);
     return header;
   }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/Error.hpp"
 #include "base/Log.hpp"
 #include "image/HeaderText.hpp"
 #include "image/ImageSource.hpp"
@@ -75,18 +76,23 @@ StoredValues::StoredValues(const VolumeHeader& header, bool load, std::vector<st
   const unsigned one = 1;
   const bool host_is_big = *reinterpret_cast<const unsigned char*>(&one) == 0;
   swapped_ = header.big_endian != host_is_big;
-  for (const std::string& path : header_.files) require_regular(path, header_.path);
-  if (header_.encoding == Encoding::raw) {
-    for (const std::string& path : header_.files) offsets_.push_back(locate_raw(path, notes));
-    return;
-  }
-  if (header_.encoding == Encoding::text) {
+  if (header.encoding == Encoding::text) {
     type_ = {ValueType::Kind::floating, 8};
     swapped_ = false;
   }
-  if (!load) return;
-  for (const std::string& path : header_.files)
-    header_.encoding == Encoding::text ? parse_text(path, notes) : unpack(path, notes);
+  for (const std::string& path : header_.files) require_regular(path, header_.path);
+  for (const std::string& path : header_.files) {
+    try {
+      if (header.encoding == Encoding::raw) {
+        offsets_.push_back(locate_raw(path, notes));
+      } else if (load) {
+        header.encoding == Encoding::text ? parse_text(path, notes) : unpack(path, notes);
+      }
+    } catch (const base::InputError& error) {
+      if (path == header.path) throw;
+      refuse(header.path, std::string("names a file that is not whole: ") + error.what());
+    }
+  }
 }
 
 std::uint64_t StoredValues::locate_raw(const std::string& path,
