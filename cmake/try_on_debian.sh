@@ -2,17 +2,18 @@
 # Builds and tests the committed state (HEAD) on a Debian of its own: makes a root with debootstrap, or takes the one that
 # is there, clones into it and runs there what the README says. As root, with debootstrap installed.
 #
-#   cmake/try_on_debian.sh bookworm|trixie|sid [--root DIR] [--part demo|test] [--ccache DIR]
+#   cmake/try_on_debian.sh bookworm|trixie|sid [--root DIR] [--part demo|test|user] [--ccache DIR]
 #
 #   --root DIR      where the root is; else build/roots/SUITE. It takes 8 GB and may lie outside the project
 #   --part PART     demo: cmake/demo.sh only; test: the tests only; else both. On sid the tests are those of the preset
-#                   release that are marked unit or verification
+#                   release that are marked unit or verification. user: the demo by one who is not root and may not
+#                   write to the clone
 #   --ccache DIR    a folder of compiled objects to share between roots; else one inside the root
 #
 # Prints the time of each part and the number of tests. Mounts go away at the end, the root stays: rm -r removes it.
 set -euo pipefail
 project=$(cd "$(dirname "$0")/.." && pwd)
-usage() { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '2,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 suite=${1:-}
 [[ $suite =~ ^(bookworm|trixie|sid)$ ]] || usage
 shift
@@ -25,7 +26,7 @@ while [[ $# -gt 0 ]]; do
     *) usage ;;
   esac
 done
-[[ $part =~ ^(demo|test|both)$ ]] || usage
+[[ $part =~ ^(demo|test|user|both)$ ]] || usage
 [[ $(id -u) -eq 0 ]] || { echo "try_on_debian.sh: chroot and mount need root" >&2; exit 1; }
 command -v debootstrap >/dev/null || { echo "try_on_debian.sh: apt-get install debootstrap" >&2; exit 1; }
 mkdir -p "$root"
@@ -67,33 +68,42 @@ mount_at --bind /sys "$root/sys"
 mount_at -t tmpfs tmpfs "$root/dev/shm"
 if [[ -n $ccache ]]; then
   mkdir -p "$ccache"
-  mount_at --bind "$ccache" "$root/root/.cache/ccache"
+  mount_at --bind "$ccache" "$root/var/cache/ccache"
 fi
 
-# The clone and its build folder stay, so that a second run compiles only what changed.
-clone=$root/root/stroma
+# The clone and its build folder stay, so that a second run compiles only what changed. A path with a space is
+# part of what is tried.
+clone="$root/srv/stroma clone"
 [[ -d $clone ]] || git clone -q --no-local "$project" "$clone"
 git -C "$clone" fetch -q "$project" HEAD
 git -C "$clone" checkout -q --force --detach FETCH_HEAD
 git -C "$clone" clean -fdq
 
+# inside COMMAND [USER]
 inside() {
-  chroot "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+  local user=${2:-root}
+  chroot --userspec "$user" "$root" env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
+    HOME="/var/tmp/home of $user" LC_ALL=C.UTF-8 CCACHE_DIR=/var/cache/ccache CCACHE_BASEDIR=/srv CCACHE_UMASK=0 \
     ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
-    bash -c "cd /root/stroma && $1"
+    bash -ec "mkdir -p \"\$HOME\" && cd '/srv/stroma clone' && $1"
 }
 timed() {
   local begin=$SECONDS
-  inside "$2"
+  inside "${@:2}"
   echo "== $suite, $1: passed in $((SECONDS - begin)) s"
 }
 inside 'bash cmake/install_dependencies.sh demo'
 inside '. /etc/os-release; echo "== $PRETTY_NAME, $(git rev-parse --short HEAD), GCC $(g++ -dumpfullversion)"
   dpkg-query -W -f "== \${Package} \${Version}\n" trilinos-all-dev libtiff-dev libhdf5-openmpi-dev libopenmpi-dev'
+if [[ $part == user ]]; then
+  timed 'demo as a user' 'bash cmake/demo.sh --build "$HOME/build"' nobody
+  exit
+fi
 [[ $part == test ]] || timed demo 'bash cmake/demo.sh'
-if [[ $part != demo && $suite != sid ]]; then
+[[ $part != demo ]] || exit 0
+if [[ $suite != sid ]]; then
   timed tests 'bash cmake/test.sh'
-elif [[ $part != demo ]]; then
+else
   inside 'bash cmake/install_dependencies.sh test'
   timed build 'cmake --preset release -D STROMA_TESTS=ON &&
     cmake --build --preset release --parallel "$(nproc)" --target stroma unit_tests verification_tests'
