@@ -157,7 +157,7 @@ TEST(Pictures, WithoutGnuplotANoteSaysHowToDrawThem) {
   const auto world = base::Communicator::world();
   const Gel gel;
   const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nonexistent", 1);
+  setenv("PATH", (folder / "missing").c_str(), 1);
   const std::string note =
       output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0}, output::Origin::Top)
           .draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
