@@ -160,7 +160,7 @@ sort status | tr -d '\n'
 
 TEST(PhantomFile, OnlyAPhantomIsOverwritten) {
   const TemporaryFolder folder;
-  const std::string command = "phantom -o a.tif --size 8,8,4 --seed ";
+  const std::string command = "phantom -o a.tif --size 32,32,8 --seed ";
   ASSERT_EQ(run_stroma(folder.path(), command + "1").status, 0);
   const std::string first = content_of(folder / "a.tif");
   ASSERT_EQ(run_stroma(folder.path(), command + "2").status, 0);

@@ -13,7 +13,7 @@ TEST(FailedWrites, AFullStandardOutputIsAnError) {
   const TemporaryFolder folder;
   folder.write("gel.yaml", small_deck());
   const Outcome outcome = run_script(folder, R"(
-"$stroma" phantom -o a.tif --size 8,8,4 >/dev/full; echo $?
+"$stroma" phantom -o a.tif --size 32,32,8 >/dev/full; echo $?
 for words in "check gel.yaml" "image a.tif" reference --help; do
   "$stroma" $words >/dev/full; echo $?
 done
