@@ -59,13 +59,13 @@ TEST(PlainText, IsAskedOfEveryNameAndText) {
 
 TEST(PlainText, NamesHaveAtMost200Bytes) {
   const auto deck_with = [](std::size_t bytes) {
-    return "Stroma:\n  Grid: {Element Size [um]: [1, 1, 1]}\n  Materials:\n    " +
+    return "Stroma:\n  Grid:\n    Element Size [um]: [1, 1, 1]\n  Materials:\n    " +
            std::string(bytes, 'g') +
            ":\n      Label: 0\n      Shear Modulus [Pa]: 1\n      Poisson Ratio: 0.3\n";
   };
   EXPECT_EQ(complaint(deck_with(200), Format::yaml), "");
   EXPECT_EQ(complaint(deck_with(201), Format::yaml),
-            "1 mistake in deck\nline 4, Materials: the name \"gggggggggggggggggggg...\" has 201 "
+            "1 mistake in deck\nline 5, Materials: the name \"gggggggggggggggggggg...\" has 201 "
             "bytes; admissible: at most 200, for it appears in tables and result files");
 }
 
