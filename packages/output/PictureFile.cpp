@@ -39,7 +39,7 @@ std::string draw_picture(const base::Communicator& communicator, const std::stri
     if (!failure.empty()) {
       note = name + ".png was not drawn: " + failure + "; " + folder + "/" + name +
              ".gp draws it where gnuplot with pngcairo is at hand";
-    } else if (!is_whole_png(picture)) {
+    } else if (std::filesystem::exists(picture, reason) && !is_whole_png(picture)) {
       throw base::RunError("cannot write '" + picture + "': the picture is cut short");
     }
   });

@@ -1,6 +1,7 @@
 #include "output/RunFolder.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -20,13 +21,13 @@ void add_picture(std::vector<std::string>& names, const std::string& picture) {
     names.push_back("pictures/" + picture + ending);
 }
 
-/// How many ranks wrote a file of a spread set: N of NAME.N.r; nothing for a file that is whole.
-std::optional<int> ranks_of(const std::string& file) {
+/// Whether a run on so many ranks writes a file of this name: NAME.N.r on N ranks, NAME on one.
+/// What is not spread over the ranks is written on any number.
+bool is_written_on(int ranks, const std::string& file) {
   const std::string name = Manifest::name_of(file);
-  const std::string suffix = file.substr(name.size());
-  const std::size_t dot = suffix.find('.');
-  if (dot == std::string::npos) return std::nullopt;
-  return std::atoi(suffix.c_str() + dot + 1);
+  if (name != "particles.e" && name != "grid.e") return true;
+  const std::size_t dot = file.find('.', name.size());
+  return (dot == std::string::npos ? 1 : std::atoi(file.c_str() + dot + 1)) == ranks;
 }
 
 /// Files of these names that are there, of any set of ranks, relative to the folder.
@@ -70,7 +71,7 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
                                file +
                                "', a name that the run writes to; choose another folder (-o)");
     }
-    if (!is_own && ranks_of(file).value_or(1) == ranks) foreign.push_back(file);
+    if (!is_own && is_written_on(ranks, file)) foreign.push_back(file);
   }
   if (foreign.empty()) return;
   throw base::InputError("the output folder '" + folder + "' holds " + list_of(foreign) +
@@ -181,7 +182,7 @@ void RunFolder::finish() const {
     if (!communicator_.is_root()) return;
     std::vector<std::string> written = files_of(folder_, names_);
     const auto is_of_others = [&](const std::string& file) {
-      return ranks_of(file).value_or(1) != communicator_.size();
+      return !is_written_on(communicator_.size(), file);
     };
     written.erase(std::remove_if(written.begin(), written.end(), is_of_others), written.end());
     Manifest(folder_).end(written);

@@ -19,8 +19,8 @@ inline Outcome run_script(const TemporaryFolder& folder, const std::string& scri
   const std::string head =
       "stroma=" + quoted(STROMA_EXECUTABLE) +
       "\nmpirun='env -u OMPI_MCA_btl -u OMPI_MCA_pml -u OMPI_MCA_ess_singleton_isolated "
-      "-u OMPI_MCA_orte_create_session_dirs OMPI_MCA_odls_base_sigkill_timeout=60 "
-      "PRTE_MCA_odls_base_sigkill_timeout=60 mpirun --oversubscribe'\n";
+      "-u OMPI_MCA_orte_create_session_dirs OMPI_MCA_odls_base_sigkill_timeout=5 "
+      "PRTE_MCA_odls_base_sigkill_timeout=5 mpirun --oversubscribe'\n";
   folder.write("script.sh", head + script);
   return run_program("/bin/bash", folder.path(), "script.sh", 1, 1);
 }

@@ -45,6 +45,16 @@ TEST_F(OutputFolder, TheUsersFilesStay) {
   EXPECT_EQ(content_of(folder_ / "deck.xml"), deck);
 }
 
+TEST_F(OutputFolder, OnTwoRanksTheSameNamesAreInTheWayAndThoseOfOneRankAreNot) {
+  fs::create_directory(folder_ / "out");
+  folder_.write("out/particles.e", "mine");
+  folder_.write("out/history.csv", "mine");
+  expect_refused(run("out", "gel.yaml", "", 2), "holds 'history.csv', which");
+  fs::remove(folder_ / "out/history.csv");
+  for (int time = 0; time < 2; ++time) EXPECT_EQ(run("out", "gel.yaml", "", 2).status, 0);
+  EXPECT_EQ(content_of(folder_ / "out/particles.e"), "mine");
+}
+
 // The deck by a soft link, by a second name, and by a roundabout path.
 TEST_F(OutputFolder, TheDeckIsNotOverwrittenByWhateverPath) {
   ASSERT_EQ(run("first").status, 0);

@@ -17,8 +17,9 @@ TEST_P(Signals, EndTheRunWithWhatIsOnDisk) {
   folder.write("gel.yaml", small_deck());
   const std::string start = ranks == 1 ? "\"$stroma\"" : "$mpirun -np 2 \"$stroma\"";
   const Outcome outcome =
-      run_script(folder, "set -m\n" + start +
-                             R"( run gel.yaml -o out --set 'Loading|Steps=5000' >output 2>errors &
+      run_script(folder,
+                 "set -m\n" + start +
+                     R"( run gel.yaml -o out --quiet --set 'Loading|Steps=5000' >output 2>errors &
 run=$!
 for ((n = 0; n < 600; ++n)); do
   [[ -f out/history.csv && $(wc -l <out/history.csv) -ge 4 ]] && break

@@ -82,8 +82,8 @@ TEST(RunFolder, RemovesWhatARunLeftAndNothingElse) {
 }
 
 TEST(Manifest, KnowsWhatAKilledRunLeftByHowItBegins) {
-  if (!base::Communicator::world().is_root()) return;
   const TemporaryFolder folder;
+  if (!base::Communicator::world().is_root()) return;
   output::Manifest manifest(folder.path());
   manifest.begin({"history.csv", "grid.e"});
   const auto is_own = [&](const std::string& name, const std::string& content) {
