@@ -35,21 +35,25 @@ TOKEN = re.compile(r'"[^"\n]*"|[-+]?\d[\d.eE+-]*|[A-Za-z_][A-Za-z_ ]*[A-Za-z_]|\
 
 
 def seeds():
-    """(text, ending) of every deck; images that they read are left where they are."""
-    decks = []
-    for pattern in ("input_decks/*/deck.*", "tests/decks/bad/*.xml", "tests/decks/bad/*.yaml", "tests/data/cases/*/*.yaml",
-                    "tests/data/cases/*/*.xml"):
-        for path in sorted(SOURCE.glob(pattern)):
-            if path.name != "study.yaml":
-                decks.append((path.read_text(errors="surrogateescape"), path.suffix, path.parent))
-    return decks
+    """(text, ending, folder) of the decks that are in order, and of those that are not."""
+    found = []
+    for patterns in (("input_decks/*/deck.*", "tests/data/cases/*/*.yaml", "tests/data/cases/*/*.xml"),
+                     ("tests/decks/bad/*.xml", "tests/decks/bad/*.yaml")):
+        paths = [path for pattern in patterns for path in sorted(SOURCE.glob(pattern)) if path.name != "study.yaml"]
+        found.append([(path.read_text(errors="surrogateescape"), path.suffix, path.parent) for path in paths])
+    return found
 
 
 def small(text):
-    """Images and phantoms shrunk, so that most mutants can also be run."""
-    text = re.sub(r"(Size\" type=\"Array\(int\)\" value=\"){[^}]*}", r"\1{8, 8, 8}", text)
-    text = re.sub(r"(\n\s+Size: )\[[^]]*\]", r"\1[8, 8, 8]", text)
-    return text
+    """Images at hand in place of those that prepare.sh makes, and small parts of them, so that most mutants can be run."""
+    images = SOURCE / "tests" / "data" / "images"
+    parameter = '<Parameter name="{}" type="Array({})" value="{}"/>'.format
+    voxel, region = parameter("Voxel Size [um]", "double", "{1.05, 1.05, 1.0}"), parameter("Region", "int", "{0, 0, 0, 24, 24, 24}")
+    file = '<Parameter name="File" type="string" value="{}"/>'.format
+    text = text.replace(file("slice.tif"), file(images / "slice25_vessels.tif") + region.replace("24, 24, 24", "64, 64, 1"))
+    text = text.replace(file("microvessels.tif"), file(images / "endo_block.tif") + region + voxel)
+    text = text.replace(file("../../tests/data/images/endo_block.tif"), file(images / "endo_block.tif") + region)
+    return text.replace("{50, 50, 33}", "{12, 12, 12}")
 
 
 def mutate(text, random_numbers):
@@ -158,11 +162,11 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, default=pathlib.Path("mutant_faults"))
     options = parser.parse_args()
     stroma = str(options.stroma.resolve())
-    decks = seeds()
+    sound, mistaken = seeds()
     tally, faults, slowest, most = collections.Counter(), [], 0.0, 0
     for number in range(options.first, options.first + options.count):
         r = random.Random(f"{options.seed}.{number}")
-        text, ending, origin = r.choice(decks)
+        text, ending, origin = r.choice(sound if r.random() < 0.8 else mistaken)
         text = mutate(small(text), r)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="stroma_mutant_"))
         try:
@@ -191,7 +195,7 @@ def main():
                     print(f"mutant {number}: {command} on {ranks}: {fault}\n{output[-600:]}", flush=True)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
-    print(f"{options.count} mutants of {len(decks)} decks, seed {options.seed}: {len(faults)} faults; "
+    print(f"{options.count} mutants of {len(sound) + len(mistaken)} decks, seed {options.seed}: {len(faults)} faults; "
           f"the slowest took {slowest:.1f} s, the largest {most >> 20} MiB")
     for what, count in sorted(tally.items()):
         print(f"  {count:5d}  {what}")
