@@ -1,7 +1,7 @@
 # stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADS n...])
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
-# folder in STROMA_SOURCE_DIR and the shared reference data, if there are any, in STROMA_SHARED_DIR.
+# folder, with tests/data in it, in STROMA_SOURCE_DIR.
 # Where Trilinos has threads, it is run on 1 rank with each of THREADS (default: 1 2) threads, and, if it is for
 # several ranks, on 2 ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
 set(STROMA_TEST_ENVIRONMENT
@@ -48,7 +48,6 @@ function(stroma_test name)
   endforeach()
   target_compile_definitions(
     ${target} PRIVATE STROMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    STROMA_SHARED_DIR="${PROJECT_SOURCE_DIR}/../shared"
     STROMA_EXECUTABLE="${PROJECT_BINARY_DIR}/bin/stroma")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   add_dependencies(${arg_LABEL}_tests ${target})

@@ -12,7 +12,7 @@ if [[ ! $seconds =~ ^[1-9][0-9]*$ ]]; then
   exit 2
 fi
 
-bash cmake/install_dependencies.sh
+bash cmake/install_dependencies.sh test
 # clang is wanted here only; without root it must be there.
 if ! command -v clang++ >/dev/null && [[ $(id -u) -eq 0 ]]; then
   echo "installing clang"

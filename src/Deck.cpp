@@ -7,9 +7,18 @@
 #include <sstream>
 #include <utility>
 
+#include "deck/PlainText.hpp"
 #include "image/ImageSection.hpp"
 
 namespace stroma {
+
+namespace {
+
+std::string absolute(const deck::Document& document, const std::string& file) {
+  return std::filesystem::absolute(document.resolve(file)).lexically_normal().string();
+}
+
+}  // namespace
 
 deck::Section<DeckParameters> deck_section() {
   deck::Section<DeckParameters> section(
@@ -42,17 +51,29 @@ deck::Section<DeckParameters> deck_section() {
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides) {
   deck::Document document = deck::load(path, overrides);
   DeckParameters parameters = deck::read(document, deck_section());
+  if (parameters.image.file) {  // deck.xml says where it lies
+    const std::string file = absolute(document, *parameters.image.file);
+    const std::string problem = deck::unwritable(file);
+    if (!problem.empty())
+      throw base::InputError("Image|File: the path " + problem +
+                             "; move the image, or rename its folder");
+  }
   std::ifstream file(path);
   return {std::move(document), std::move(parameters),
           std::string(std::istreambuf_iterator<char>(file), {})};
 }
 
+std::vector<std::string> input_files(const Deck& deck) {
+  std::vector<std::string> files{deck.document.path()};
+  if (deck.parameters.image.file)
+    files.push_back(deck.document.resolve(*deck.parameters.image.file));
+  return files;
+}
+
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
   DeckParameters parameters = deck.parameters;
   if (parameters.image.file)
-    parameters.image.file = std::filesystem::absolute(deck.document.resolve(*parameters.image.file))
-                                .lexically_normal()
-                                .string();
+    parameters.image.file = absolute(deck.document, *parameters.image.file);
   return deck::filled(deck_section(), parameters);
 }
 

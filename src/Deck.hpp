@@ -48,6 +48,9 @@ struct Deck {
 /// \throws base::InputError with every mistake of the deck
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides);
 
+/// The files that a deck is read from: itself and its image.
+std::vector<std::string> input_files(const Deck& deck);
+
 /// The deck as run, every default filled in and the image's file name absolute, so that it can be
 /// run again from any folder.
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);

@@ -22,6 +22,14 @@ void check(const PhantomOptions& options) {
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder))
     throw base::InputError(options.output + ": there is no folder " + folder.string());
+  std::error_code ignored;
+  const bool exists =
+      std::filesystem::exists(std::filesystem::symlink_status(options.output, ignored));
+  if (exists &&
+      (std::filesystem::is_symlink(options.output) || !image::is_written_by_stroma(options.output)))
+    throw base::InputError(options.output +
+                           ": exists, and is no phantom that Stroma wrote; remove it, or choose "
+                           "another name");
   double voxels = 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (options.size[axis] < 1)
@@ -38,7 +46,7 @@ void check(const PhantomOptions& options) {
 
 int phantom_command(const base::Communicator& communicator, const PhantomOptions& options,
                     base::Log& log) {
-  check(options);
+  base::collectively(communicator, [&] { check(options); });
   image::VesselParameters parameters;
   parameters.size = options.size;
   parameters.voxel_size = options.voxel_size;

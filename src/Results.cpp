@@ -41,6 +41,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
                 deck.parameters.output.origin),
       history_(communicator, folder.history(), conditions_, materials_) {
   output::write_deck(communicator, folder.deck(), *as_run(deck));
+  folder.finish("deck.xml");
 }
 
 output::ParticleSet Results::particle_set() const {
@@ -179,6 +180,17 @@ void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::
   grid_step_ = rows_.back().step;
 }
 
+std::string Results::on_disk() const {
+  const auto up_to = [](const char* file, std::int64_t step) {
+    return step < 0 ? "" : base::format(", %s to step %lld", file, static_cast<long long>(step));
+  };
+  return base::format("on disk in %s: history.csv to step %lld (load %.6g)",
+                      folder_.folder().c_str(), static_cast<long long>(rows_.back().step),
+                      rows_.back().load) +
+         up_to("particles.e", particles_step_) +
+         up_to(grid_files_ > 1 ? "the grid.e files" : "grid.e", grid_step_);
+}
+
 void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
   if (particles_step_ != rows_.back().step) write_particles(balance, u);
@@ -196,6 +208,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
       if (!note.empty()) log_->note(note);
   }
   stage.reset();
+  folder_.finish();
   print_give(balance, u);
   print_table(moving, balance.halo().partition(), seconds());
 }

@@ -32,6 +32,9 @@ class Results {
   void write(output::HistoryRow row, const mechanics::MomentumBalance& balance,
              const grid::Vector& u);
 
+  /// What is on disk so far, in a few words.
+  std::string on_disk() const;
+
   /// Writes the last accepted step's fields if they were not due, draws the pictures and prints a
   /// table of all steps: at the end of a run, and of one that failed. Collective.
   void finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,

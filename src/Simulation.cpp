@@ -9,6 +9,7 @@
 #include "Specimen.hpp"
 #include "base/Error.hpp"
 #include "base/Session.hpp"
+#include "base/Signals.hpp"
 #include "solver/LoadStep.hpp"
 #include "solver/StepControl.hpp"
 
@@ -65,6 +66,10 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   const double start = MPI_Wtime();
   const auto seconds = [&] { return MPI_Wtime() - start; };
 
+  const output::RunFolder folder(communicator, output_folder,
+                                 output::run_files(deck.parameters.output.pictures));
+  folder.refuse_foreign_files(input_files(deck));
+
   // Image stack -> labels -> particles on a grid.
   std::optional<image::LabelVolume> labels;
   image::ImageSummary summary;
@@ -75,14 +80,22 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   const DeckParameters& p = deck.parameters;
   mechanics::MovingBody body(communicator, specimen.partition, specimen.particles,
                              problem_of(deck, specimen));
-  const output::RunFolder folder(communicator, output_folder);
-  folder.remove_old_results();
+  folder.remove_old_results(log);
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
   describe(communicator, specimen, body.balance(), log);
   Results results(communicator, deck, specimen, folder, log);
 
+  const base::StopRequests stop;
+  const auto end_if_asked = [&] {
+    const std::string signal = stop.asked(communicator);
+    if (signal.empty()) return;
+    const std::string text = "stopped by " + signal + "; " + results.on_disk();
+    log.line(text);
+    throw base::Interrupted(text);
+  };
   solver::NewtonSolver newton(
       p.solver, body.balance(), [&](int iteration, double residual, long long linear) {
+        end_if_asked();
         log.line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s",
                         iteration, residual, linear, seconds()));
       });
@@ -130,6 +143,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
                "%.0f s left",
                load.accepted(), load.load(), solved.iterations, solved.linear_iterations,
                solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
+    log.require_written();
+    if (!load.finished()) end_if_asked();
   }
   results.finish(body.balance(), body.displacement(), seconds);
 }

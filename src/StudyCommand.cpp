@@ -4,7 +4,6 @@
 
 #include <Teuchos_TimeMonitor.hpp>
 #include <algorithm>
-#include <fstream>
 
 #include "Simulation.hpp"
 #include "StudyDrawing.hpp"
@@ -12,19 +11,14 @@
 #include "StudySizes.hpp"
 #include "StudySummary.hpp"
 #include "base/Error.hpp"
+#include "base/Signals.hpp"
 #include "output/RunFolder.hpp"
+#include "output/WriteFile.hpp"
 
 namespace stroma {
 namespace {
 
 using base::format;
-
-void write_file(const std::string& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << content;
-  file.close();
-  if (file.fail()) throw base::RunError("cannot write '" + path + "'");
-}
 
 void write_table(const base::Communicator& communicator, const StudyPlan& plan,
                  const std::vector<MemberResult>& results, const std::string& folder) {
@@ -32,9 +26,9 @@ void write_table(const base::Communicator& communicator, const StudyPlan& plan,
     if (!communicator.is_root()) return;
     const ComparisonTable comparison =
         compare(plan.study, plan.members, force_records(plan, results));
-    write_file(folder + "/study.csv",
-               study_table(plan.study.variations, plan.members, plan.facts, results, comparison,
-                           plan.study.parameters.also_tabulate));
+    output::write_file(folder + "/study.csv",
+                       study_table(plan.study.variations, plan.members, plan.facts, results,
+                                   comparison, plan.study.parameters.also_tabulate));
   });
 }
 
@@ -55,13 +49,18 @@ void read_back(const base::Communicator& communicator, const std::string& folder
 }
 
 /// Runs one member. Collective. \return why it failed; empty when it did not
-std::string run_member(const base::Communicator& communicator, const Deck& deck,
-                       const std::string& folder) {
+/// \throws base::Interrupted when a signal ends the study
+std::string run_member(const base::Communicator& communicator, const std::string& name,
+                       const Deck& deck, const std::string& folder) {
   Teuchos::TimeMonitor::zeroOutTimers();  // the member's log tells the times of the member
   base::Log log(communicator, true);
   try {
     run_simulation(communicator, deck, folder, log);
+    log.finish();
     return "";
+  } catch (const base::Interrupted& interrupted) {
+    throw base::Interrupted("member \"" + name + "\": " + interrupted.what() +
+                            "\nto go on: run the study again; what is finished is not run again");
   } catch (const base::RunError& error) {
     log.line(std::string("stroma: ") + error.what());
     return error.what();
@@ -84,8 +83,10 @@ std::string figures_of(const StudyPlan& plan, std::size_t m, const MemberResult&
 void study_command(const base::Communicator& communicator, const std::string& study_deck,
                    const std::string& output_folder, base::Log& log) {
   const double start = MPI_Wtime();
+  const output::RunFolder folder(communicator, output_folder, output::study_files());
   const StudyPlan plan = plan_study(communicator, study_deck, output_folder);
-  const output::RunFolder folder(communicator, output_folder);
+  folder.refuse_foreign_files(input_files(plan));
+  folder.remove_old_results(log);
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
   const std::size_t count = plan.members.size();
   const auto kept =
@@ -109,7 +110,9 @@ void study_command(const base::Communicator& communicator, const std::string& st
     }
     const double before = MPI_Wtime();
     log.line(head + ": running, its log is " + plan.folders[m] + "/log.txt");
-    const std::string failure = run_member(communicator, plan.decks[m], plan.folders[m]);
+    const std::string failure =
+        run_member(communicator, plan.members[m].name, plan.decks[m], plan.folders[m]);
+    log.require_written();
     results[m].status = failure.empty() ? MemberStatus::done : MemberStatus::failed;
     read_back(communicator, plan.folders[m], results[m]);
     ++ran;
@@ -132,7 +135,8 @@ void study_command(const base::Communicator& communicator, const std::string& st
   base::collectively(communicator, [&] {
     if (!communicator.is_root()) return;
     groups = size_groups(plan, results);
-    if (!groups.empty()) write_file(folder.file("convergence.csv"), convergence_table(groups));
+    if (!groups.empty())
+      output::write_file(folder.file("convergence.csv"), convergence_table(groups));
   });
   const auto records = force_records(plan, results);
   const ComparisonTable comparison = compare(plan.study, plan.members, records);
@@ -141,6 +145,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
   log.line("");
   for (const std::string& line : size_summary(groups)) log.line(line);
   draw_study(communicator, plan, results, groups, folder.folder(), log);
+  folder.finish();
   log.line(format("%.1f s on %d rank%s; %s", MPI_Wtime() - start, communicator.size(),
                   communicator.size() == 1 ? "" : "s", folder.file("study.csv").c_str()));
   if (failures.empty()) return;

@@ -18,6 +18,7 @@
 #include "deck/Nearest.hpp"
 #include "grid/GridSection.hpp"
 #include "output/History.hpp"
+#include "output/RunFolder.hpp"
 
 namespace stroma {
 namespace {
@@ -203,6 +204,9 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
       if (finished == 0) {
         base::Log silent(communicator, true);
         check_command(communicator, deck, silent);
+        output::refuse_foreign_files(communicator, plan->folders[m],
+                                     output::run_files(deck.parameters.output.pictures),
+                                     input_files(deck));
       }
       const std::string image = xml(as_run(deck)->sublist("Image"));
       if (box_of_image.count(image) == 0) {
@@ -220,6 +224,14 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
   mistakes.throw_if_any(study_deck, plan->members.size());
   check_names(*plan);
   return std::move(*plan);
+}
+
+std::vector<std::string> input_files(const StudyPlan& plan) {
+  std::vector<std::string> files{plan.study.document.path()};
+  for (const Deck& deck : plan.decks)
+    for (const std::string& file : input_files(deck))
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  return files;
 }
 
 const output::MovingSupport* drawn_support(const StudyPlan& plan, std::size_t member) {

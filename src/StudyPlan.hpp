@@ -33,6 +33,9 @@ struct StudyPlan {
 StudyPlan plan_study(const base::Communicator& communicator, const std::string& study_deck,
                      const std::string& output_folder);
 
+/// The files that a study is read from: its deck, the members' base deck and images.
+std::vector<std::string> input_files(const StudyPlan& plan);
+
 /// The support whose force is drawn and compared: Plot|Support, or else the first that moves; null
 /// where the member has none.
 const output::MovingSupport* drawn_support(const StudyPlan& plan, std::size_t member);

@@ -24,6 +24,7 @@
 #include "base/Error.hpp"
 #include "base/Log.hpp"
 #include "base/Session.hpp"
+#include "base/Signals.hpp"
 #include "deck/Nearest.hpp"
 #include "output/ExodusFile.hpp"
 
@@ -137,6 +138,7 @@ int main(int argc, char** argv) {
   std::vector<char*> own_words(argv, argv + argc);
   const std::vector<std::string> kokkos_words = stroma::base::take_kokkos_words(own_words);
   const stroma::base::MpiSession mpi(&argc, &argv);
+  stroma::base::let_writes_fail();
   const auto communicator = stroma::base::Communicator::world();
   const auto fail = [&](ExitStatus status, const std::string& message) {
     if (communicator.is_root()) std::cerr << "stroma: " << message << std::endl;
@@ -146,7 +148,7 @@ int main(int argc, char** argv) {
     app.parse(static_cast<int>(own_words.size()), own_words.data());
   } catch (const CLI::Success& help) {
     if (communicator.is_root()) app.exit(help);
-    return 0;
+    return std::cout.flush() ? 0 : fail(ExitStatus::run_failed, "cannot write to standard output");
   } catch (const CLI::ParseError& error) {
     const std::string unknown = unknown_word(app, own_words);
     return fail(ExitStatus::wrong_input, (unknown.empty() ? error.what() : unknown) +
@@ -185,6 +187,7 @@ int main(int argc, char** argv) {
                                                  options.section.size(), std::strlen("Study|"))))
                    : stroma::deck::reference(stroma::deck_section(), options.section));
     }
+    log.finish();
   } catch (const stroma::base::InputError& error) {
     return fail(ExitStatus::wrong_input, error.what());
   } catch (const stroma::base::RunError& error) {

@@ -3,7 +3,7 @@
 # the same size and volume fraction.    bash prepare.sh [STROMA [SLICE]]
 set -euo pipefail
 stroma=${1:-stroma}
-slice=${2:-../../../shared/images/slice25_vessels.tif}
+slice=${2:-../../tests/data/images/slice25_vessels.tif}
 if [ -f "$slice" ]; then
   cp "$slice" slice.tif
   echo "slice.tif: the paper's slice, from $slice"

@@ -4,7 +4,8 @@
 /// What the program tells its user while it works: to standard output and to log.txt, from one
 /// rank.
 
-#include <fstream>
+#include <cstdio>
+#include <memory>
 #include <string>
 
 #include "base/Communicator.hpp"
@@ -12,12 +13,12 @@
 namespace stroma::base {
 
 /// Prints lines on rank 0 and silently does nothing on the others, so that callers need no rank
-/// tests.
+/// tests. A line that cannot be written is remembered, for require_written() to answer.
 class Log {
  public:
   /// \param quiet  nothing on standard output (the file is written all the same)
   explicit Log(const Communicator& communicator, bool quiet = false)
-      : is_root_(communicator.is_root()), quiet_(quiet) {}
+      : communicator_(communicator), quiet_(quiet) {}
 
   /// From now on every line goes to this file too. Lines printed before are written first.
   /// \throws RunError when the file cannot be opened
@@ -29,11 +30,26 @@ class Log {
   /// A line that the user should not overlook: prefixed "note: ".
   void note(const std::string& text) { line("note: " + text); }
 
+  /// Collective. \throws RunError on all ranks when a line did not reach the file, or, where there
+  /// is no file, standard output
+  void require_written() const;
+
+  /// The same at the end of a command, after which nothing is printed. Standard output counts here
+  /// even where there is a file, but for a pipe whose reader has left: the file has it all.
+  /// Collective. \throws RunError on all ranks
+  void finish();
+
  private:
-  bool is_root_;
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  Communicator communicator_;
   bool quiet_;
   std::string before_file_;
-  std::ofstream file_;
+  std::string path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  int file_error_ = 0, output_error_ = 0;  ///< errno of the first line that failed; 0: none
 };
 
 /// printf into a std::string.

@@ -11,6 +11,7 @@
 
 #include "base/Error.hpp"
 #include "deck/Findings.hpp"
+#include "deck/PlainText.hpp"
 #include "deck/ReadTree.hpp"
 
 namespace stroma::deck {
@@ -174,6 +175,7 @@ Document parse(const std::string& text, Format format, const std::string& path,
   ParsedTree parsed = format == Format::yaml ? parse_yaml(text, path) : parse_xml(text, path);
   Document document(path, std::move(parsed.root), std::move(parsed.mistakes));
   document.override_with(overrides);
+  refuse_unwritable(document.root_, "", document.mistakes_);
   return document;
 }
 

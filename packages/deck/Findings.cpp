@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/Error.hpp"
+#include "deck/PlainText.hpp"
 
 namespace stroma::deck {
 namespace {
@@ -32,7 +33,7 @@ int order(const Mistake& mistake) {
 std::string text_of(const Mistake& mistake) {
   std::string text = mistake.line == not_in_file ? "--set" : "line " + std::to_string(mistake.line);
   if (!mistake.where.empty()) text += ", " + mistake.where;
-  return text + ": " + mistake.message;
+  return printable(text + ": " + mistake.message);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "deck/Declaration.hpp"
 #include "deck/FreeList.hpp"
 #include "deck/Nearest.hpp"
+#include "deck/PlainText.hpp"
 
 namespace stroma::deck {
 namespace {
@@ -166,13 +167,17 @@ class Reader {
   }
 
   static void refuse_bad_name(const tree::List& given, Findings& findings) {
-    const auto is_bad = [](char letter) {
-      return letter == ',' || letter == '|' || static_cast<unsigned char>(letter) < ' ';
-    };
+    if (!unwritable(given.name).empty()) return;  // that has been told
+    const auto is_bad = [](char letter) { return letter == ',' || letter == '|'; };
     if (std::any_of(given.name.begin(), given.name.end(), is_bad)) {
       findings.add(given.line, "",
-                   "the name \"" + given.name +
-                       "\" holds a comma, a '|' or a line break; it appears in tables");
+                   "the name \"" + given.name + "\" holds a comma or a '|'; it appears in tables");
+    } else if (given.name.size() > longest_name) {
+      findings.add(given.line, "",
+                   "the name \"" + given.name.substr(0, 20) + "...\" has " +
+                       std::to_string(given.name.size()) + " bytes; admissible: at most " +
+                       std::to_string(longest_name) +
+                       ", for it appears in tables and result files");
     }
   }
 

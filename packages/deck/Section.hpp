@@ -93,7 +93,7 @@ class Section {
   }
 
   /// The whole section consists of sublists that the user names, kept in the order of the deck.
-  /// Names are unique, not empty, and hold no comma, no '|' and no line break.
+  /// Names are unique, not empty, one line of at most 200 bytes, and hold no comma and no '|'.
   template <class S>
   Section& named_sections(const Section<S>& each_of_them,
                           std::vector<std::pair<std::string, S>> T::*member, int at_least = 1) {

@@ -5,13 +5,11 @@
 #include <hdf5.h>
 
 #include <Teuchos_XMLParameterListCoreHelpers.hpp>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <sstream>
 
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "output/WriteFile.hpp"
 
 namespace stroma::output {
 namespace {
@@ -58,19 +56,7 @@ void write_deck(const base::Communicator& communicator, const std::string& path,
     text += "-->\n";
     std::ostringstream list;
     Teuchos::writeParameterListToXmlOStream(deck, list);
-    text += list.str();
-
-    errno = 0;
-    std::FILE* file = std::fopen(path.c_str(), "w");
-    bool written = file != nullptr &&
-                   std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
-                   std::fflush(file) == 0;
-    int reason = errno;
-    if (file != nullptr && std::fclose(file) != 0 && written) {
-      written = false;
-      reason = errno;
-    }
-    if (!written) throw base::RunError("cannot write '" + path + "': " + std::strerror(reason));
+    write_file(path, text + list.str());
   });
 }
 

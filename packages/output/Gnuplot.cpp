@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <thread>
 #include <utility>
 
 #include "base/Log.hpp"
@@ -35,6 +38,24 @@ std::string first_complaint(const std::string& path) {
       return line.substr(start);
   }
   return "gnuplot failed";
+}
+
+/// Waits for a child that leads a group of processes; ends the group when it takes too long.
+/// \return  its status, or nothing then
+std::optional<int> status_of(pid_t child, std::chrono::milliseconds patience) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + patience;
+  int status = 0;
+  for (;;) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) return status;
+    if ((ended < 0 && errno != EINTR) || Clock::now() > end) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  kill(-child, SIGKILL);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -93,7 +114,8 @@ std::string viridis_colour(double place) {
   return viridis[static_cast<std::size_t>(std::lround(last * std::clamp(place, 0.0, 1.0)))];
 }
 
-std::string run_gnuplot(const std::string& folder, const std::string& script) {
+std::string run_gnuplot(const std::string& folder, const std::string& script,
+                        std::chrono::milliseconds patience) {
   const std::string printed = folder + "/.gnuplot_output";
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -102,10 +124,19 @@ std::string run_gnuplot(const std::string& folder, const std::string& script) {
                                    O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  std::string program = "gnuplot", argument = script;
-  char* arguments[] = {program.data(), argument.data(), nullptr};
+  // A group of its own, to be ended with all that it starts; it may be ended by a broken pipe.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  sigset_t usual;
+  sigemptyset(&usual);
+  sigaddset(&usual, SIGPIPE);
+  posix_spawnattr_setsigdefault(&attributes, &usual);
+  std::string program = "gnuplot", option = "-d", argument = script;
+  char* arguments[] = {program.data(), option.data(), argument.data(), nullptr};
   pid_t child = 0;
-  const int code = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  const int code = posix_spawnp(&child, program.c_str(), &actions, &attributes, arguments, environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
 
   std::string failure;
@@ -113,13 +144,12 @@ std::string run_gnuplot(const std::string& folder, const std::string& script) {
     failure = (code == ENOENT) ? "gnuplot is not installed"
                                : "gnuplot cannot be run (" + std::string(std::strerror(code)) + ")";
   } else {
-    int status = 0;
-    pid_t ended = 0;
-    do {
-      ended = waitpid(child, &status, 0);
-    } while (ended < 0 && errno == EINTR);
-    const bool succeeded = ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    if (!succeeded) failure = first_complaint(printed);
+    const std::optional<int> status = status_of(child, patience);
+    if (!status) {
+      failure = base::format("gnuplot did not come to an end in %.3g s", 1e-3 * patience.count());
+    } else if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0) {
+      failure = first_complaint(printed);
+    }
   }
   std::error_code ignored;
   std::filesystem::remove(printed, ignored);

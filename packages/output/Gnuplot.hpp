@@ -3,6 +3,7 @@
 /// \file
 /// gnuplot as a child process, and the parts of a script that all pictures share.
 
+#include <chrono>
 #include <string>
 
 namespace stroma::output {
@@ -21,8 +22,10 @@ std::string viridis_colour(double place);
 /// A text as a gnuplot string.
 std::string gnuplot_quoted(const std::string& text);
 
-/// Runs `gnuplot SCRIPT` in a folder and waits for it. Nothing reaches this process's output.
+/// Runs `gnuplot SCRIPT` in a folder, without the user's own settings, and waits for it; after so
+/// long it is ended, with the processes that it started. Nothing reaches this process's output.
 /// \return  empty when it succeeded; else what went wrong, in one line
-std::string run_gnuplot(const std::string& folder, const std::string& script);
+std::string run_gnuplot(const std::string& folder, const std::string& script,
+                        std::chrono::milliseconds patience = std::chrono::minutes(1));
 
 }  // namespace stroma::output

@@ -1,12 +1,9 @@
 #include "output/History.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-
 #include "base/Error.hpp"
 #include "base/Log.hpp"
 #include "output/HistoryTable.hpp"
+#include "output/WriteFile.hpp"
 
 namespace stroma::output {
 namespace {
@@ -70,7 +67,7 @@ History::History(const base::Communicator& communicator, std::string path,
   for (const std::string& column : history_columns(boundary_conditions, materials)) {
     header += (header.empty() ? "" : ",") + csv_field(column);
   }
-  write_line(header, "w");
+  write_line(header, WriteMode::replace);
 }
 
 void History::append(const HistoryRow& row) {
@@ -82,26 +79,14 @@ void History::append(const HistoryRow& row) {
   }
   std::string line;
   for_each_value(row, [&](auto value) { line += (line.empty() ? "" : ",") + digits(value); });
-  write_line(line, "a");
+  write_line(line, WriteMode::append);
 }
 
-void History::write_line(const std::string& line, const char* mode) {
+void History::write_line(const std::string& line, WriteMode mode) {
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;
-    // The file is opened for each row and closed again: closing is the last chance of a full disk
-    // to say so, and a reader finds whole lines at any time.
-    errno = 0;
-    std::FILE* file = std::fopen(path_.c_str(), mode);
-    bool written =
-        file != nullptr && std::fprintf(file, "%s\n", line.c_str()) > 0 && std::fflush(file) == 0;
-    int reason = errno;
-    if (file != nullptr && std::fclose(file) != 0 && written) {
-      written = false;
-      reason = errno;
-    }
-    if (!written) {
-      throw base::RunError("cannot write '" + path_ + "': " + std::strerror(reason));
-    }
+    // Opened for each row and closed again, so that a reader finds whole lines at any time.
+    write_file(path_, line + "\n", mode);
   });
 }
 

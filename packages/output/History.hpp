@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/Communicator.hpp"
+#include "output/WriteFile.hpp"
 
 namespace stroma::output {
 
@@ -58,7 +59,7 @@ class History {
   void append(const HistoryRow& row);
 
  private:
-  void write_line(const std::string& line, const char* mode);
+  void write_line(const std::string& line, WriteMode mode);
 
   base::Communicator communicator_;
   std::string path_;

@@ -3,34 +3,46 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/Error.hpp"
 #include "output/Gnuplot.hpp"
+#include "output/WriteFile.hpp"
 
 namespace stroma::output {
+
+namespace {
+
+/// A picture is whole if it ends as PNG files do; gnuplot does not tell when a disk is full.
+bool is_whole_png(const std::string& path) {
+  static const std::string end{"\0\0\0\0IEND\xae\x42\x60\x82", 12};
+  std::ifstream file(path, std::ios::binary);
+  std::string last(end.size(), '\0');
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  file.read(last.data(), static_cast<std::streamsize>(last.size()));
+  return file.good() && last == end;
+}
+
+}  // namespace
 
 std::string draw_picture(const base::Communicator& communicator, const std::string& run_folder,
                          const std::string& name, const std::string& data,
                          const std::string& data_ending, const std::string& script) {
   std::string note;
-  if (communicator.is_root()) {
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
     const std::string folder = run_folder + "/pictures";
+    const std::string picture = run_folder + "/" + name + ".png";
     std::error_code reason;
     std::filesystem::create_directories(folder, reason);
-    const auto written = [&](const std::string& file, const std::string& content) {
-      std::ofstream stream(folder + "/" + file, std::ios::binary);
-      stream << content;
-      stream.close();
-      return !stream.fail();
-    };
-    if (!written(name + "." + data_ending, data) || !written(name + ".gp", script)) {
-      note = name + ".png was not drawn: cannot write into '" + folder + "'";
-    } else {
-      const std::string failure = run_gnuplot(folder, name + ".gp");
-      if (!failure.empty()) {
-        note = name + ".png was not drawn: " + failure + "; " + folder + "/" + name +
-               ".gp draws it where gnuplot with pngcairo is at hand";
-      }
+    write_file(folder + "/" + name + "." + data_ending, data);
+    write_file(folder + "/" + name + ".gp", script);
+    const std::string failure = run_gnuplot(folder, name + ".gp");
+    if (!failure.empty()) {
+      note = name + ".png was not drawn: " + failure + "; " + folder + "/" + name +
+             ".gp draws it where gnuplot with pngcairo is at hand";
+    } else if (std::filesystem::exists(picture, reason) && !is_whole_png(picture)) {
+      throw base::RunError("cannot write '" + picture + "': the picture is cut short");
     }
-  }
+  });
   communicator.broadcast(note);
   return note;
 }

@@ -17,7 +17,9 @@ namespace stroma::output {
 /// \param data         numbers, as the script reads them; what counts is rank 0's
 /// \param data_ending  dat or raw
 /// \return  a note for the log, the same on all ranks: empty when the picture was made, else why
-///          not
+///          gnuplot did not
+/// \throws RunError on all ranks when data, script or picture could not be written, as on a full
+///         disk
 std::string draw_picture(const base::Communicator& communicator, const std::string& folder,
                          const std::string& name, const std::string& data,
                          const std::string& data_ending, const std::string& script);

@@ -16,41 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "support/TemporaryFolder.hpp"
+
 namespace stroma::test {
-
-namespace fs = std::filesystem;
-
-inline std::string content_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// An empty folder that goes away with the test.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "stroma_test_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() { fs::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-  fs::path operator/(const std::string& name) const { return path_ / name; }
-
-  /// Writes a text file into the folder.
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-
- private:
-  fs::path path_;
-};
 
 struct Outcome {
   int status;
@@ -74,8 +42,8 @@ inline Outcome run_program(const fs::path& program, const fs::path& folder,
   const TemporaryFolder capture;
   const fs::path output = capture / "output", error = capture / "error";
   std::string line =
-      "cd " + quoted(folder) +
-      " && env -i PATH=\"$PATH\" HOME=\"$HOME\" LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" "
+      "cd " + quoted(folder) + " && env -i PATH=\"$PATH\" HOME=" + quoted(capture.path()) +
+      " LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" "
       "OMP_WAIT_POLICY=passive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
       "OMPI_MCA_mpi_yield_when_idle=1 ";
   if (threads > 0) line += "OMP_NUM_THREADS=" + std::to_string(threads) + " ";

@@ -53,7 +53,8 @@ inline std::string clamped_stretch() {
 /// \param arguments  after the program's path
 inline bool prepare(const fs::path& folder, const std::string& arguments = "") {
   const std::string line = "cd " + quoted(folder) +
-                           " && env -i PATH=\"$PATH\" HOME=\"$HOME\" "
+                           " && env -i PATH=\"$PATH\" HOME=" + quoted(folder) +
+                           " "
                            "LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" OMPI_ALLOW_RUN_AS_ROOT=1 "
                            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1 "
                            "OMPI_MCA_orte_create_session_dirs=0 bash prepare.sh " +

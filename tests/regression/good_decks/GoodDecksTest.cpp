@@ -172,8 +172,6 @@ class StretchedDeck : public ::testing::TestWithParam<GoodDeck> {};
 
 TEST_P(StretchedDeck, ObeysTheLawsOfMechanics) {
   const GoodDeck& deck = GetParam();
-  if (deck.folder == "05_capillary_block" && !fs::exists(fs::path(STROMA_SHARED_DIR) / "images"))
-    GTEST_SKIP() << "no image for " << deck.folder;
   const DeckFolder folder(deck.folder);
   const TemporaryFolder results;
   const std::string arguments =

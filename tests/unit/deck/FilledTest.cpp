@@ -2,21 +2,19 @@
 /// deck.xml, the deck with every default written out, reads back to the same values.
 
 #include <Teuchos_XMLParameterListHelpers.hpp>
-#include <filesystem>
 
 #include "SampleDeck.hpp"
+#include "support/TemporaryFolder.hpp"
 
 namespace stroma::deck::sample {
 namespace {
 
 /// Writes a deck as a run does, and reads it back.
 Sample written_and_read(const Sample& deck) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / "stroma_filled_test.xml").string();
+  const test::TemporaryFolder folder;
+  const std::string path = folder / "filled.xml";
   Teuchos::writeParameterListToXmlFile(*filled(declaration(), deck), path);
-  const Sample again = read(load(path), declaration());
-  std::filesystem::remove(path);
-  return again;
+  return read(load(path), declaration());
 }
 
 TEST(DeckFilled, RoundTrip) { expect_sample_values(written_and_read(read_text(xml))); }

@@ -28,8 +28,8 @@ class Folder {
   Folder() {
     const base::Communicator world = base::Communicator::world();
     if (world.is_root()) {
-      char name[] = "/tmp/stroma_image_XXXXXX";
-      path_ = mkdtemp(name);
+      path_ = (std::filesystem::temp_directory_path() / "stroma_image_XXXXXX").string();
+      if (mkdtemp(path_.data()) == nullptr) std::abort();
     }
     world.broadcast(path_);
     owner_ = world.is_root();

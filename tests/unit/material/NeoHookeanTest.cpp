@@ -166,7 +166,7 @@ TEST_P(NeoHookeanLaw, AnInvertedParticleIsNotFinite) {
 }
 
 // Simple shear of 0.2: sigma_xy = mu g, and the normal stresses of the isochoric law
-// (../shared/reference, case E).
+// (tests/data/reference, case E).
 TEST(NeoHookean, SimpleShearHasTheAnalyticStress) {
   const double g = 0.2, mu = collagen.shear_modulus;
   Tensor3 shear;

@@ -76,9 +76,10 @@ TEST(History, FullDiskIsARunErrorOnEveryRank) {
   const std::string message = message_of<base::RunError>(
       [&] { output::History(world, "/dev/full", {"bottom"}, {"collagen"}); });
   EXPECT_EQ(message, "cannot write '/dev/full': No space left on device");
-  const std::string no_folder = message_of<base::RunError>(
-      [&] { output::History(world, "/nonexistent/history.csv", {}, {}); });
-  EXPECT_EQ(no_folder, "cannot write '/nonexistent/history.csv': No such file or directory");
+  const TemporaryFolder folder;
+  const std::string path = folder / "missing/history.csv";
+  EXPECT_EQ(message_of<base::RunError>([&] { output::History(world, path, {}, {}); }),
+            "cannot write '" + path + "': No such file or directory");
 }
 
 TEST(History, RefusesARowThatDoesNotFitTheHeader) {

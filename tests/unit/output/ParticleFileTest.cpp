@@ -298,14 +298,15 @@ TEST(ParticleFile, SpreadFilesKnowTheWhole) {
 }
 
 TEST(ParticleFile, CannotBeCreatedIsARunErrorOnEveryRank) {
+  const TemporaryFolder folder;
   const Sample sample(5);
+  const std::string path = folder / "missing/p.e";
   const std::string message = message_of<base::RunError>([&] {
-    output::ParticleFile(base::Communicator::world(), "/nonexistent/p.e", sample.set, materials,
-                         global_names, provenance);
+    output::ParticleFile(base::Communicator::world(), path, sample.set, materials, global_names,
+                         provenance);
   });
   EXPECT_EQ(message, "cannot create '" +
-                         output::spread_file_name("/nonexistent/p.e",
-                                                  base::Communicator::world().size(), 0) +
+                         output::spread_file_name(path, base::Communicator::world().size(), 0) +
                          "': No such file or directory");
 }
 

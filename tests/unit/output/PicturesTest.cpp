@@ -2,13 +2,17 @@
 /// The pictures exist, are PNG files of the size that the scripts ask for, and can be drawn again.
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
 #include "TemporaryFolder.hpp"
+#include "base/Signals.hpp"
 #include "output/Gnuplot.hpp"
 #include "output/Pictures.hpp"
 
@@ -62,6 +66,16 @@ PngSize png_size(const std::string& path) {
     return value;
   };
   return {number(16), number(20)};
+}
+
+/// Whether a process has ended, though perhaps nobody has asked for its status yet.
+bool is_gone(pid_t process) {
+  for (int tries = 0; tries < 200; ++tries) {
+    const std::string status = content_of("/proc/" + std::to_string(process) + "/stat");
+    if (status.empty() || status.find(") Z") != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
 }
 
 bool gnuplot_is_there() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
@@ -157,7 +171,7 @@ TEST(Pictures, WithoutGnuplotANoteSaysHowToDrawThem) {
   const auto world = base::Communicator::world();
   const Gel gel;
   const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nonexistent", 1);
+  setenv("PATH", (folder / "missing").c_str(), 1);
   const std::string note =
       output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0}, output::Origin::Top)
           .draw_von_mises(gel.set, in_one_piece(gel.set.count, gel.state), 1.0);
@@ -167,13 +181,41 @@ TEST(Pictures, WithoutGnuplotANoteSaysHowToDrawThem) {
   EXPECT_TRUE(fs::exists(folder / "pictures/von_mises.raw"));
 }
 
-TEST(Pictures, AFolderThatCannotBeWrittenOrNothingToDrawIsANoteToo) {
+// What is lost is an error: gnuplot itself does not tell of a full disk.
+TEST(Pictures, WhatCannotBeWrittenIsARunErrorOnEveryRank) {
+  const TemporaryFolder folder;
   const auto world = base::Communicator::world();
   const Gel gel;
-  const output::Pictures nowhere(world, "/proc/stroma", "gel", {1.0, 1.0, 1.0},
-                                 output::Origin::Top);
-  EXPECT_EQ(nowhere.draw_materials(gel.set, {"collagen", "vessel"}),
-            "vessels.png was not drawn: cannot write into '/proc/stroma/pictures'");
+  const auto draw = [&](const std::string& where) {
+    return message_of<base::RunError>([&] {
+      output::Pictures(world, where, "gel", {1.0, 1.0, 1.0}, output::Origin::Top)
+          .draw_materials(gel.set, {"collagen", "vessel"});
+    });
+  };
+  if (world.is_root()) std::ofstream(folder / "file") << "in the way";
+  world.barrier();
+  EXPECT_EQ(draw(folder / "file").rfind("cannot write '" + (folder / "file/pictures/vessels."), 0),
+            0U);
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  output::Pictures(world, folder.path(), "gel", {1.0, 1.0, 1.0}, output::Origin::Top)
+      .draw_materials(gel.set, {"collagen", "vessel"});
+  const auto size = fs::file_size(folder / "vessels.png") - 100;
+  for (const auto& entry : fs::directory_iterator(folder / "pictures"))
+    ASSERT_LT(fs::file_size(entry.path()), size) << "data and script can still be written";
+  base::let_writes_fail();
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{size, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message = draw(folder.path());
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(message, "cannot write '" + (folder / "vessels.png") + "': the picture is cut short");
+}
+
+TEST(Pictures, NothingToDrawIsANoteToo) {
+  const auto world = base::Communicator::world();
+  const TemporaryFolder folder;
+  const output::Pictures nowhere(world, folder.path(), "gel", {1.0, 1.0, 1.0}, output::Origin::Top);
   EXPECT_EQ(nowhere.draw_materials({}, {"collagen"}),
             "vessels.png was not drawn: there are no particles");
   EXPECT_EQ(nowhere.draw_force({}, {}), "force.png was not drawn: no boundary condition moves");
@@ -187,6 +229,23 @@ TEST(Gnuplot, AFailureIsToldInOneLine) {
   const std::string failure = output::run_gnuplot(folder.path(), "bad.gp");
   EXPECT_NE(failure.find("missing.dat"), std::string::npos) << failure;
   EXPECT_EQ(failure.find('\n'), std::string::npos);
+}
+
+// A program of that name that hangs, in a child of its own at that.
+TEST(Gnuplot, OneThatHangsIsGivenUp) {
+  const TemporaryFolder folder;
+  if (!base::Communicator::world().is_root()) return;
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\nsleep 300 &\necho $! > child\nwait\n";
+  fs::permissions(folder / "gnuplot", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (folder.path() + ":" + path).c_str(), 1);
+  const std::string failure =
+      output::run_gnuplot(folder.path(), "any.gp", std::chrono::milliseconds(500));
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(failure, "gnuplot did not come to an end in 0.5 s");
+  const pid_t child = std::atoi(content_of(folder / "child").c_str());
+  ASSERT_GT(child, 0);
+  EXPECT_TRUE(is_gone(child));
 }
 
 }  // namespace

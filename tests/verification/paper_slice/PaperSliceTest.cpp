@@ -1,6 +1,6 @@
 /// \file
 /// The paper's own slice (512 x 512 pixels, plane strain, rollers, 10 %) against the independent
-/// solution of ../shared/reference/slice25.md, to 1e-6. Claim V-SLICE, docs/verification.md.
+/// solution of tests/data/reference/slice25.md, to 1e-6. Claim V-SLICE, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,9 @@ const SliceCase cases[] = {
     {"A_vessels_mu_only", 4, mu, bulk_a, 2 * mu, bulk_a, 92132.98},
 };
 
-fs::path slice() { return fs::path(STROMA_SHARED_DIR) / "images" / "slice25_vessels.tif"; }
+fs::path slice() {
+  return fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "images" / "slice25_vessels.tif";
+}
 
 std::string deck_of(const SliceCase& c) {
   std::ostringstream text;
@@ -58,7 +60,6 @@ std::string deck_of(const SliceCase& c) {
 class PaperSlice : public ::testing::TestWithParam<SliceCase> {};
 
 TEST_P(PaperSlice, HasTheReferencesForce) {
-  if (!fs::exists(slice())) GTEST_SKIP() << "no slice at " << slice();
   const TemporaryFolder folder;
   const fs::path deck = folder.write("slice.yaml", deck_of(GetParam()));
   const Outcome outcome = run_stroma(folder.path(), "run " + quoted(deck) + " -o out --quiet", 2);
@@ -71,12 +72,11 @@ TEST_P(PaperSlice, HasTheReferencesForce) {
               force / GetParam().force - 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, PaperSlice, ::testing::ValuesIn(cases),
-                         [](const auto& slice_case) {
-                           std::string name = slice_case.param.name;
-                           for (char& c : name) c = c == '.' ? '_' : c;
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Data, PaperSlice, ::testing::ValuesIn(cases), [](const auto& slice_case) {
+  std::string name = slice_case.param.name;
+  for (char& c : name) c = c == '.' ? '_' : c;
+  return name;
+});
 
 }  // namespace
 }  // namespace stroma::test

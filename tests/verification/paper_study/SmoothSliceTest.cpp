@@ -1,7 +1,7 @@
 /// \file
 /// The paper's slice on a grid that is reset, with shape functions that cure the artefact of
-/// crossing, on members of input_decks/08_smooth_shapes. On the paper's own slice, where it is at
-/// hand, else on a drawn one. Claims V-STUDY-4 and V-STUDY-5, docs/verification.md.
+/// crossing, on members of input_decks/08_smooth_shapes, on the paper's own slice. Claims V-STUDY-4
+/// and V-STUDY-5, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ class SmoothSlice : public ::testing::Test {
     folder_ = new TemporaryFolder;
     fs::copy(fs::path(STROMA_SOURCE_DIR) / "input_decks" / "08_smooth_shapes", folder_->path(),
              fs::copy_options::recursive);
-    const fs::path slice = fs::path(STROMA_SHARED_DIR) / "images" / "slice25_vessels.tif";
-    if (!fs::exists(slice)) std::printf("  no slice at %s: a drawn one\n", slice.c_str());
+    const fs::path slice =
+        fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "images" / "slice25_vessels.tif";
     ASSERT_TRUE(prepare(folder_->path(), quoted(slice))) << "prepare.sh failed";
   }
   static void TearDownTestSuite() { delete folder_; }

@@ -40,7 +40,7 @@ std::vector<CaseCondition> conditions_of(const std::string& name) {
 }  // namespace
 
 fs::path reference_file(const std::string& name) {
-  return fs::path(STROMA_SHARED_DIR) / "reference" / (name + ".json");
+  return fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "reference" / (name + ".json");
 }
 
 ReferenceCase::ReferenceCase(const std::string& file)

@@ -1,7 +1,7 @@
 #pragma once
 
 /// \file
-/// One case of ../shared/reference: its description, and how to put it to the program.
+/// One case of tests/data/reference: its description, and how to put it to the program.
 
 #include <array>
 #include <nlohmann/json.hpp>

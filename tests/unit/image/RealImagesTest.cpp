@@ -1,5 +1,5 @@
 /// \file
-/// The images of the shared folder, against the figures in the text beside each, which were
+/// The real images of tests/data/images, against the figures in the text beside each, which were
 /// computed with other software.
 
 #include <gtest/gtest.h>
@@ -72,13 +72,8 @@ void expect_figures(const image::IntensityVolume& volume, const image::ValueType
   expect_objects(labels, image::Connectivity::corners, f.corners);
 }
 
-class SharedImages : public ::testing::Test {
+class RealImages : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::string(STROMA_SHARED_DIR) + "/images";
-    if (!std::filesystem::exists(folder_)) GTEST_SKIP() << "no shared images in " << folder_;
-  }
-
   image::IntensityVolume read(const std::string& file, int channel = 0,
                               const std::string& dataset = "") {
     image::ImageParameters parameters;
@@ -88,11 +83,11 @@ class SharedImages : public ::testing::Test {
     return image::read_volume(world(), parameters, folder_, summary_);
   }
 
-  std::string folder_;
+  const std::string folder_ = std::string(STROMA_SOURCE_DIR) + "/tests/data/images";
   image::ImageSummary summary_;
 };
 
-TEST_F(SharedImages, EndoBlock) {
+TEST_F(RealImages, EndoBlock) {
   const image::IntensityVolume volume = read("endo_block.tif");
   EXPECT_EQ(summary_.voxel_size.source(), "nowhere");
   expect_figures(volume, summary_.type,
@@ -111,7 +106,7 @@ TEST_F(SharedImages, EndoBlock) {
                   {40, 32, 20085}});
 }
 
-TEST_F(SharedImages, ConfocalNucleus) {
+TEST_F(RealImages, ConfocalNucleus) {
   const image::IntensityVolume volume = read("xyzc_16bit__dna_conf_wf.tif", 0);
   // Not the 0.25594 um of the text that was copied along with the image.
   for (std::size_t axis = 0; axis < 2; ++axis)
@@ -135,7 +130,7 @@ TEST_F(SharedImages, ConfocalNucleus) {
                   {1, 1, 8904}});
 }
 
-TEST_F(SharedImages, WideFieldNucleus) {
+TEST_F(RealImages, WideFieldNucleus) {
   const image::IntensityVolume volume = read("xyzc_16bit__dna_conf_wf.tif", 1);
   expect_figures(volume, summary_.type,
                  {{133, 130, 45},
@@ -153,7 +148,7 @@ TEST_F(SharedImages, WideFieldNucleus) {
                   {1, 1, 57941}});
 }
 
-TEST_F(SharedImages, TissueFromHdf5AndClipped) {
+TEST_F(RealImages, TissueFromHdf5AndClipped) {
   image::IntensityVolume volume = read("sample_patch.h5", 0, "raw");
   expect_figures(volume, summary_.type,
                  {{200, 200, 64},
@@ -186,7 +181,7 @@ TEST_F(SharedImages, TissueFromHdf5AndClipped) {
                   {853, 3, 987272}});
 }
 
-TEST_F(SharedImages, LabelsFromHdf5) {
+TEST_F(RealImages, LabelsFromHdf5) {
   image::ImageParameters parameters;
   parameters.file = "sample_patch.h5";
   parameters.dataset = "big_label";
@@ -197,7 +192,7 @@ TEST_F(SharedImages, LabelsFromHdf5) {
   EXPECT_EQ(fractions.rbegin()->first, 36);
 }
 
-TEST_F(SharedImages, ThePapersSlice) {
+TEST_F(RealImages, ThePapersSlice) {
   const image::IntensityVolume volume = read("slice25_vessels.tif");
   EXPECT_EQ(volume.size, (std::array<std::int64_t, 3>{512, 512, 1}));
   EXPECT_EQ(summary_.voxel_size.um, (std::array<double, 3>{1.05, 1.05, 1.0}));
@@ -209,7 +204,7 @@ TEST_F(SharedImages, ThePapersSlice) {
   EXPECT_EQ(objects.largest(), 34601);
 }
 
-TEST_F(SharedImages, TheCommandPrintsThem) {
+TEST_F(RealImages, TheCommandPrintsThem) {
   const std::string log_file = test::folder() + "/image_log.txt";
   ImageOptions options;
   options.file = folder_ + "/endo_block.tif";

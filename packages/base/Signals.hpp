@@ -1,0 +1,41 @@
+#pragma once
+
+/// \file
+/// What signals do to a run.
+
+#include <csignal>
+#include <string>
+
+#include "base/Communicator.hpp"
+#include "base/Error.hpp"
+
+namespace stroma::base {
+
+/// A signal asked for the end of the run: what was computed is on disk. Exit status 1.
+class Interrupted : public RunError {
+ public:
+  using RunError::RunError;
+};
+
+/// A write to a file that has reached its limit (SIGXFSZ) or to a pipe that nobody reads (SIGPIPE)
+/// fails with an error from now on, instead of ending the process.
+void let_writes_fail();
+
+/// While it lives, SIGTERM and SIGINT ask for a stop instead of ending the process; a second SIGINT
+/// ends it. One at a time.
+class StopRequests {
+ public:
+  StopRequests();
+  ~StopRequests();
+  StopRequests(const StopRequests&) = delete;
+  StopRequests& operator=(const StopRequests&) = delete;
+
+  /// The signal that any rank got, "SIGTERM" or "SIGINT"; empty when there was none. Collective.
+  std::string asked(const Communicator& communicator) const;
+
+ private:
+  struct sigaction term_before_ {};
+  struct sigaction int_before_ {};
+};
+
+}  // namespace stroma::base

@@ -1,0 +1,81 @@
+/// \file
+/// SIGTERM and SIGINT end a run after what is being written, with a line that says what is on disk.
+
+#include <gtest/gtest.h>
+
+#include "support/SmallDeck.hpp"
+
+namespace stroma::test {
+namespace {
+
+class Signals : public ::testing::TestWithParam<std::pair<const char*, int>> {};
+
+// Steps enough for minutes; the signal comes with the third row of the table.
+TEST_P(Signals, EndTheRunWithWhatIsOnDisk) {
+  const auto [signal, ranks] = GetParam();
+  const TemporaryFolder folder;
+  folder.write("gel.yaml", small_deck());
+  const std::string start = ranks == 1 ? "\"$stroma\"" : "$mpirun -np 2 \"$stroma\"";
+  const Outcome outcome =
+      run_script(folder,
+                 "set -m\n" + start +
+                     R"( run gel.yaml -o out --quiet --set 'Loading|Steps=5000' >output 2>errors &
+run=$!
+for ((n = 0; n < 600; ++n)); do
+  [[ -f out/history.csv && $(wc -l <out/history.csv) -ge 4 ]] && break
+  sleep 0.1
+done
+kill -)" + signal + R"( $run
+wait $run
+echo status $?
+)");
+  EXPECT_EQ(outcome.standard_output, "status 1\n") << content_of(folder / "errors");
+  const std::string errors = content_of(folder / "errors");
+  const std::string line = "stopped by SIG";
+  EXPECT_NE(errors.find("stroma: " + line), std::string::npos) << errors;
+  EXPECT_EQ(errors.find(line), errors.rfind(line)) << "told twice: " << errors;
+  EXPECT_EQ(errors.find("MPI_ABORT"), std::string::npos) << errors;
+  const std::string log = content_of(folder / "out/log.txt");
+  const History history(folder / "out/history.csv");
+  const std::string told =
+      "on disk in out: history.csv to step " + std::to_string(history.rows() - 1) + " (load ";
+  EXPECT_NE(log.find(told), std::string::npos) << log.substr(log.size() - 300);
+  EXPECT_FALSE(fs::exists(folder / "out/.stroma_lock"));
+  // The folder is free for the next run.
+  EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml -o out --quiet").status, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Signals,
+                         ::testing::Values(std::pair{"TERM", 1}, std::pair{"INT", 1},
+                                           std::pair{"TERM", 2}, std::pair{"INT", 2}),
+                         [](const auto& p) {
+                           return std::string(p.param.first) + "_np" +
+                                  std::to_string(p.param.second);
+                         });
+
+TEST(Signals, EndAStudyWithItsMember) {
+  const TemporaryFolder folder;
+  folder.write("base.yaml", small_deck());
+  folder.write("study.yaml", R"(Study:
+  Base Deck: base.yaml
+  Vary:
+    Loading|Steps: [5000, 5001]
+)");
+  const Outcome outcome = run_script(folder, R"(set -m
+"$stroma" study study.yaml -o out >output 2>errors &
+run=$!
+for ((n = 0; n < 600; ++n)); do
+  [[ -f out/Steps_5000/history.csv && $(wc -l <out/Steps_5000/history.csv) -ge 4 ]] && break
+  sleep 0.1
+done
+kill -TERM $run
+wait $run
+echo status $?
+)");
+  EXPECT_EQ(outcome.standard_output, "status 1\n") << content_of(folder / "errors");
+  EXPECT_FALSE(fs::exists(folder / "out/Steps_5001"));
+  EXPECT_NE(content_of(folder / "errors").find("run the study again"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stroma::test

@@ -1,0 +1,28 @@
+#pragma once
+
+/// \file
+/// A deck that runs in a second: a ball of 8 x 8 x 8 voxels, stretched between clamps.
+
+#include <string>
+
+#include "support/Program.hpp"
+
+namespace stroma::test {
+
+inline std::string small_deck() {
+  return content_of(fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "cases" / "title_control" /
+                    "base.yaml");
+}
+
+/// Runs a script of bash in a folder, in which $stroma is the program, and $mpirun starts ranks.
+inline Outcome run_script(const TemporaryFolder& folder, const std::string& script) {
+  const std::string head =
+      "stroma=" + quoted(STROMA_EXECUTABLE) +
+      "\nmpirun='env -u OMPI_MCA_btl -u OMPI_MCA_pml -u OMPI_MCA_ess_singleton_isolated "
+      "-u OMPI_MCA_orte_create_session_dirs OMPI_MCA_odls_base_sigkill_timeout=5 "
+      "PRTE_MCA_odls_base_sigkill_timeout=5 mpirun --oversubscribe'\n";
+  folder.write("script.sh", head + script);
+  return run_program("/bin/bash", folder.path(), "script.sh", 1, 1);
+}
+
+}  // namespace stroma::test
