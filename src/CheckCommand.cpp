@@ -135,6 +135,8 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   log.line(format("particles   %lld, %.4g per element with particles",
                   static_cast<long long>(specimen.particle_count),
                   static_cast<double>(specimen.particle_count) / static_cast<double>(filled)));
+  log.line("dilatation  " + specimen.dilatation);
+  for (const std::string& note : specimen.notes) log.note(note);
   log.line(format("unknowns    %lld", static_cast<long long>(balance.supports().unknowns())));
   for (const auto& hold : balance.supports().rigid_holds())
     log.note(format(

@@ -37,7 +37,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
       conditions_(names(deck.parameters.boundary_conditions.conditions)),
       materials_(names(deck.parameters.materials.materials)),
       provenance_{deck.parameters.title, output::library_versions().front().second, deck.text},
-      pictures_(communicator, folder.folder(), deck.parameters.title, specimen.particle_spacing,
+      pictures_(communicator, folder.folder(), deck.parameters.title, specimen.layout.spacing,
                 deck.parameters.output.origin),
       history_(communicator, folder.history(), conditions_, materials_) {
   output::write_deck(communicator, folder.deck(), *as_run(deck));

@@ -32,14 +32,18 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                                    material::material_of_label(p.materials.materials));
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
-  Specimen specimen{summary, grid, partition, particles, {}, {}, 0};
-  for (int d = 0; d < 3; ++d) {
-    const double voxel = labels.voxel_size[static_cast<std::size_t>(d)];
-    specimen.particle_spacing[static_cast<std::size_t>(d)] =
-        particles::particle_spacing(p.particles, grid, d, voxel);
-    specimen.particle_half_edge[static_cast<std::size_t>(d)] =
-        particles::domain_half_edge(p.particles, grid, d, voxel);
-  }
+  Specimen specimen{summary,
+                    grid,
+                    partition,
+                    particles,
+                    particles::layout_sizes(p.particles, grid, labels.size, labels.voxel_size),
+                    particles::layout_notes(p.particles, grid, labels.size),
+                    0,
+                    ""};
+  const double nu = material::largest_poisson_ratio(p.materials.materials);
+  specimen.dilatation = grid::describe_dilatation(p.grid, nu);
+  const std::string locking = grid::locking_note(p.grid, nu);
+  if (!locking.empty()) specimen.notes.push_back(locking);
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
@@ -56,11 +60,12 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   for (const auto& named : p.materials.materials)
     if (named.second.density) problem.density.push_back(*named.second.density);
   if (problem.density.size() != problem.laws.size()) problem.density.clear();
-  problem.particle_spacing = specimen.particle_spacing;
-  problem.particle_half_edge = specimen.particle_half_edge;
+  problem.outer_thickness = specimen.layout.outer_thickness;
+  problem.particle_half_edge = specimen.layout.half_edge;
   problem.shape_functions = p.grid.shape_functions;
   problem.particle_domain = p.grid.particle_domain;
-  problem.dilatation = p.grid.dilatation;
+  problem.dilatation =
+      grid::dilatation(p.grid, material::largest_poisson_ratio(p.materials.materials));
   problem.reset = p.grid.reset;
   problem.deformation_gradient = p.grid.deformation_gradient;
   problem.stabilization = grid::stabilization(p.grid);
