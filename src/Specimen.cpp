@@ -1,5 +1,8 @@
 #include "Specimen.hpp"
 
+#include <algorithm>
+
+#include "MemoryEstimate.hpp"
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
 #include "grid/ShapeGrid.hpp"
@@ -8,23 +11,47 @@
 
 namespace stroma {
 
+namespace {
+
+/// The grid over an image, or over the region of it that is read.
+grid::Grid body_of(const DeckParameters& p, const std::array<std::int64_t, 3>& voxels,
+                   const std::array<double, 3>& voxel_size) {
+  std::array<double, 3> length;
+  for (std::size_t d = 0; d < 3; ++d) length[d] = static_cast<double>(voxels[d]) * voxel_size[d];
+  grid::Grid grid = grid::make_grid(p.grid, length);
+  if (p.image.region)  // positions are those in the whole image
+    for (std::size_t d = 0; d < 3; ++d)
+      grid.origin[d] = static_cast<double>((*p.image.region)[d]) * voxel_size[d];
+  return grid;
+}
+
+/// Of the voxels, over all ranks.
+double filled_fraction(const base::Communicator& communicator, const image::LabelVolume& labels) {
+  const auto filled = static_cast<std::int64_t>(
+      std::count_if(labels.values.begin(), labels.values.end(), [](auto l) { return l >= 0; }));
+  return static_cast<double>(communicator.sum(filled)) / static_cast<double>(labels.voxels());
+}
+
+}  // namespace
+
 image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
                                image::ImageSummary& summary) {
   const base::Stage stage("image");
-  return image::read_labels(communicator, deck.parameters.image, deck.document.folder(), &summary);
+  const DeckParameters& p = deck.parameters;
+  return image::read_labels(
+      communicator, p.image, deck.document.folder(), &summary,
+      [&](const image::ImageSummary& found) {  // how much of it is empty, nobody knows yet
+        const grid::Grid body = body_of(p, found.size, found.voxel_size.um);
+        require_memory(communicator, p, found.size, body, 0.0);
+      });
 }
 
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                        const image::LabelVolume& labels, const image::ImageSummary& summary) {
   const base::Stage stage("particles");
   const DeckParameters& p = deck.parameters;
-  std::array<double, 3> length;
-  for (int d = 0; d < 3; ++d)
-    length[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];
-  grid::Grid grid = grid::make_grid(p.grid, length);
-  if (p.image.region)  // positions are those in the whole image
-    for (std::size_t d = 0; d < 3; ++d)
-      grid.origin[d] = static_cast<double>((*p.image.region)[d]) * labels.voxel_size[d];
+  const grid::Grid grid = body_of(p, labels.size, labels.voxel_size);
+  require_memory(communicator, p, labels.size, grid, filled_fraction(communicator, labels));
 
   const auto lattice = grid::Partition::balanced(
       grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
