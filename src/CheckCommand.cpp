@@ -5,8 +5,9 @@
 
 #include "BoundsTable.hpp"
 #include "MeanWidth.hpp"
+#include "MemoryEstimate.hpp"
 #include "Specimen.hpp"
-#include "base/Error.hpp"
+#include "base/Memory.hpp"
 #include "grid/ShapeGrid.hpp"
 #include "image/Objects.hpp"
 #include "image/Segmentation.hpp"
@@ -74,41 +75,27 @@ void check_image(const base::Communicator& communicator, const Deck& deck,
                   static_cast<long long>(objects.largest())));
 }
 
-/// Bytes on the rank with the most, by what docs/performance.md lists.
+/// Bytes on the rank with the most.
 void check_memory(const base::Communicator& communicator, const Deck& deck,
-                  const Specimen& specimen, base::Log& log) {
-  const auto particles = static_cast<double>(specimen.particles.count());
-  const auto nodes =
-      static_cast<double>(specimen.partition.touched_nodes(communicator.rank()).count());
-  const double state = (deck.parameters.grid.reset ? 2.0 * 145.0 + 41.0 : 41.0) * particles;
-  // Results are evaluated a layer of elements at a time; with reset they must go home all together.
-  const auto layers =
-      static_cast<double>(specimen.partition.elements(communicator.rank()).extent(2));
-  const double results =
-      deck.parameters.grid.reset ? 2.0 * 88.0 * particles : 88.0 * particles / layers;
-  const auto kind = deck.parameters.solver.preconditioner;
-  const grid::Grid& grid = specimen.partition.grid();
-  const bool is_geometric = kind == solver::PreconditionerKind::geometric_multigrid;
-  const bool is_stencil = is_geometric && grid.width == 2;
-  const double stencil = 504.0 * nodes;
-  const double blocks = std::pow(2.0 * grid.width - 1.0, grid.flat ? 2.0 : 3.0);  // of a row
-  const double matrix = is_stencil ? stencil + 48.0 * nodes : (9.0 * 12.0 + 2.0) * blocks * nodes;
-  const double vectors = 20.0 * 24.0 * nodes;
-  double hierarchy = 0.0;
-  if (is_geometric) hierarchy = stencil / 7.0 + 8.0 / 7.0 * 72.0 * nodes;
-  if (is_geometric && !is_stencil) hierarchy += stencil + 48.0 * nodes + 6.0 * 24.0 * nodes;
-  if (kind == solver::PreconditionerKind::multigrid) hierarchy = 1.6 * matrix;
-  const double total = state + results + matrix + vectors + hierarchy;
-  const double gib = 1.0 / (1024.0 * 1024.0 * 1024.0);
-  const double most = communicator.max(total);
+                  const Specimen& specimen, const image::LabelVolume& labels, base::Log& log) {
+  const grid::Box nodes = specimen.partition.touched_nodes(communicator.rank());
+  const grid::Box elements = specimen.partition.elements(communicator.rank());
+  const MemoryEstimate estimate = estimate_memory(
+      deck.parameters,
+      {static_cast<double>(labels.values.size()), static_cast<double>(specimen.particles.count()),
+       static_cast<double>(nodes.count()), static_cast<double>(elements.extent(2))});
+  const auto most = [&](double bytes) { return base::readable_bytes(communicator.max(bytes)); };
+  const double program = base::program_memory;
   log.line(format(
-      "memory      about %.2f GiB on the fullest of %d rank%s: particles %.2f, their results "
-      "%.2f, tangent %.2f, vectors %.2f, preconditioner %.2f",
-      most * gib, communicator.size(), communicator.size() == 1 ? "" : "s",
-      communicator.max(state) * gib, communicator.max(results) * gib,
-      communicator.max(matrix) * gib, communicator.max(vectors) * gib,
-      communicator.max(hierarchy) * gib));
-  if (kind == solver::PreconditionerKind::direct)
+      "memory      about %s on the fullest of %d rank%s: program %s, and the most of "
+      "image %s; seeding %s; particles %s, their results %s, tangent %s, vectors %s, "
+      "preconditioner %s",
+      most(program + estimate.bytes()).c_str(), communicator.size(),
+      communicator.size() == 1 ? "" : "s", most(program).c_str(), most(estimate.image).c_str(),
+      most(estimate.seeding).c_str(), most(estimate.particles).c_str(),
+      most(estimate.results).c_str(), most(estimate.tangent).c_str(),
+      most(estimate.vectors).c_str(), most(estimate.preconditioner).c_str()));
+  if (deck.parameters.solver.preconditioner == solver::PreconditionerKind::direct)
     log.note("the factors of Preconditioner = Direct come on top; they grow fast with the grid");
 }
 
@@ -135,13 +122,15 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   log.line(format("particles   %lld, %.4g per element with particles",
                   static_cast<long long>(specimen.particle_count),
                   static_cast<double>(specimen.particle_count) / static_cast<double>(filled)));
+  log.line("dilatation  " + specimen.dilatation);
+  for (const std::string& note : specimen.notes) log.note(note);
   log.line(format("unknowns    %lld", static_cast<long long>(balance.supports().unknowns())));
   for (const auto& hold : balance.supports().rigid_holds())
     log.note(format(
         "the boundary conditions leave a rigid motion free; u_%c will be held at the node at "
         "(%g, %g, %g) um, which has no effect on the stress",
         "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
-  check_memory(communicator, deck, specimen, log);
+  check_memory(communicator, deck, specimen, labels, log);
   const std::string exchange = solver::describe_traffic(communicator, specimen.partition,
                                                         deck.parameters.solver.preconditioner);
   if (!exchange.empty()) log.line(exchange);

@@ -7,6 +7,7 @@
 #include "BoundsTable.hpp"
 #include "HomeOrder.hpp"
 #include "MovingSupports.hpp"
+#include "base/Memory.hpp"
 #include "base/Session.hpp"
 #include "base/Stage.hpp"
 #include "mechanics/Lattice.hpp"
@@ -37,7 +38,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
       conditions_(names(deck.parameters.boundary_conditions.conditions)),
       materials_(names(deck.parameters.materials.materials)),
       provenance_{deck.parameters.title, output::library_versions().front().second, deck.text},
-      pictures_(communicator, folder.folder(), deck.parameters.title, specimen.particle_spacing,
+      pictures_(communicator, folder.folder(), deck.parameters.title, specimen.layout.spacing,
                 deck.parameters.output.origin),
       history_(communicator, folder.history(), conditions_, materials_) {
   output::write_deck(communicator, folder.deck(), *as_run(deck));
@@ -270,6 +271,8 @@ void Results::print_table(const std::vector<output::MovingSupport>& moving,
   for (const auto& [stage, spent] : base::stage_seconds(communicator_))
     stages += base::format("  %s %.2f s", stage.c_str(), spent);
   log_->line(stages);
+  log_->line("memory  " + base::readable_bytes(communicator_.max(base::peak_memory())) +
+             " at most on a rank");
   const std::string exchange =
       solver::describe_traffic(communicator_, partition, deck_->parameters.solver.preconditioner);
   if (!exchange.empty()) log_->line(exchange);

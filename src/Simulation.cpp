@@ -32,10 +32,12 @@ void describe(const base::Communicator& communicator, const Specimen& specimen,
                   static_cast<long long>(grid.elements[1]),
                   static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1],
                   grid.spacing[2], static_cast<long long>(balance.supports().unknowns())));
+  log.line("dilatation " + specimen.dilatation);
   log.line(format("particles  %lld, on %s", static_cast<long long>(specimen.particle_count),
                   base::ranks_and_threads(communicator).c_str()));
   const std::string crowded = base::oversubscription(communicator);
   if (!crowded.empty()) log.note(crowded);
+  for (const std::string& note : specimen.notes) log.note(note);
   for (const auto& hold : balance.supports().rigid_holds())
     log.note(
         format("the boundary conditions leave a rigid motion free; u_%c is held at the node at "

@@ -1,5 +1,8 @@
 #include "Specimen.hpp"
 
+#include <algorithm>
+
+#include "MemoryEstimate.hpp"
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
 #include "grid/ShapeGrid.hpp"
@@ -8,23 +11,47 @@
 
 namespace stroma {
 
+namespace {
+
+/// The grid over an image, or over the region of it that is read.
+grid::Grid body_of(const DeckParameters& p, const std::array<std::int64_t, 3>& voxels,
+                   const std::array<double, 3>& voxel_size) {
+  std::array<double, 3> length;
+  for (std::size_t d = 0; d < 3; ++d) length[d] = static_cast<double>(voxels[d]) * voxel_size[d];
+  grid::Grid grid = grid::make_grid(p.grid, length);
+  if (p.image.region)  // positions are those in the whole image
+    for (std::size_t d = 0; d < 3; ++d)
+      grid.origin[d] = static_cast<double>((*p.image.region)[d]) * voxel_size[d];
+  return grid;
+}
+
+/// Of the voxels, over all ranks.
+double filled_fraction(const base::Communicator& communicator, const image::LabelVolume& labels) {
+  const auto filled = static_cast<std::int64_t>(
+      std::count_if(labels.values.begin(), labels.values.end(), [](auto l) { return l >= 0; }));
+  return static_cast<double>(communicator.sum(filled)) / static_cast<double>(labels.voxels());
+}
+
+}  // namespace
+
 image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
                                image::ImageSummary& summary) {
   const base::Stage stage("image");
-  return image::read_labels(communicator, deck.parameters.image, deck.document.folder(), &summary);
+  const DeckParameters& p = deck.parameters;
+  return image::read_labels(
+      communicator, p.image, deck.document.folder(), &summary,
+      [&](const image::ImageSummary& found) {  // how much of it is empty, nobody knows yet
+        const grid::Grid body = body_of(p, found.size, found.voxel_size.um);
+        require_memory(communicator, p, found.size, body, 0.0);
+      });
 }
 
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                        const image::LabelVolume& labels, const image::ImageSummary& summary) {
   const base::Stage stage("particles");
   const DeckParameters& p = deck.parameters;
-  std::array<double, 3> length;
-  for (int d = 0; d < 3; ++d)
-    length[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];
-  grid::Grid grid = grid::make_grid(p.grid, length);
-  if (p.image.region)  // positions are those in the whole image
-    for (std::size_t d = 0; d < 3; ++d)
-      grid.origin[d] = static_cast<double>((*p.image.region)[d]) * labels.voxel_size[d];
+  const grid::Grid grid = body_of(p, labels.size, labels.voxel_size);
+  require_memory(communicator, p, labels.size, grid, filled_fraction(communicator, labels));
 
   const auto lattice = grid::Partition::balanced(
       grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
@@ -32,14 +59,18 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                                    material::material_of_label(p.materials.materials));
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
-  Specimen specimen{summary, grid, partition, particles, {}, {}, 0};
-  for (int d = 0; d < 3; ++d) {
-    const double voxel = labels.voxel_size[static_cast<std::size_t>(d)];
-    specimen.particle_spacing[static_cast<std::size_t>(d)] =
-        particles::particle_spacing(p.particles, grid, d, voxel);
-    specimen.particle_half_edge[static_cast<std::size_t>(d)] =
-        particles::domain_half_edge(p.particles, grid, d, voxel);
-  }
+  Specimen specimen{summary,
+                    grid,
+                    partition,
+                    particles,
+                    particles::layout_sizes(p.particles, grid, labels.size, labels.voxel_size),
+                    particles::layout_notes(p.particles, grid, labels.size),
+                    0,
+                    ""};
+  const double nu = material::largest_poisson_ratio(p.materials.materials);
+  specimen.dilatation = grid::describe_dilatation(p.grid, nu);
+  const std::string locking = grid::locking_note(p.grid, nu);
+  if (!locking.empty()) specimen.notes.push_back(locking);
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
@@ -56,11 +87,12 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   for (const auto& named : p.materials.materials)
     if (named.second.density) problem.density.push_back(*named.second.density);
   if (problem.density.size() != problem.laws.size()) problem.density.clear();
-  problem.particle_spacing = specimen.particle_spacing;
-  problem.particle_half_edge = specimen.particle_half_edge;
+  problem.outer_thickness = specimen.layout.outer_thickness;
+  problem.particle_half_edge = specimen.layout.half_edge;
   problem.shape_functions = p.grid.shape_functions;
   problem.particle_domain = p.grid.particle_domain;
-  problem.dilatation = p.grid.dilatation;
+  problem.dilatation =
+      grid::dilatation(p.grid, material::largest_poisson_ratio(p.materials.materials));
   problem.reset = p.grid.reset;
   problem.deformation_gradient = p.grid.deformation_gradient;
   problem.stabilization = grid::stabilization(p.grid);

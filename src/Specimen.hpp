@@ -20,10 +20,10 @@ struct Specimen {
   grid::Grid body;            ///< the lattice of elements that fills the body's box
   grid::Partition partition;  ///< of the grid that the shape functions need over it
   particles::Particles<grid::Device> particles;  ///< of the undeformed body
-  std::array<double, 3> particle_spacing;        ///< distance of neighbouring particles [um]
-  std::array<double, 3> particle_half_edge;      ///< of a particle's domain [um]
-
-  std::int64_t particle_count;  ///< over all ranks
+  particles::LayoutSizes layout;
+  std::vector<std::string> notes;  ///< what a user should know of grid and particles
+  std::int64_t particle_count;     ///< over all ranks
+  std::string dilatation;          ///< which one, and why
 };
 
 /// What is solved on the specimen.

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
-#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +22,7 @@
 #include "base/Communicator.hpp"
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "base/Memory.hpp"
 #include "base/Session.hpp"
 #include "base/Signals.hpp"
 #include "deck/Nearest.hpp"
@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others
     // waiting.
-    const bool out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    const bool out_of_memory = stroma::base::is_out_of_memory(error);
     std::cerr << "stroma: rank " << communicator.rank() << ": "
               << (out_of_memory ? "out of memory; take more machines, or a smaller Image|Region"
                                 : error.what())

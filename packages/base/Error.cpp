@@ -1,6 +1,6 @@
 #include "base/Error.hpp"
 
-#include <new>
+#include "base/Memory.hpp"
 
 namespace stroma::base {
 namespace {
@@ -20,12 +20,11 @@ void collectively(const Communicator& communicator, const std::function<void()>&
   } catch (const StepRejected& error) {
     kind = Kind::step;
     message = error.what();
-  } catch (const std::bad_alloc&) {
-    kind = Kind::run;
-    message = "out of memory on rank " + std::to_string(communicator.rank());
   } catch (const std::exception& error) {
     kind = Kind::run;
-    message = error.what();
+    message = is_out_of_memory(error)
+                  ? "out of memory on rank " + std::to_string(communicator.rank())
+                  : error.what();
   }
   const int nobody = communicator.size();
   const int first = communicator.min(kind == Kind::none ? nobody : communicator.rank());

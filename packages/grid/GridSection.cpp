@@ -40,11 +40,14 @@ deck::Section<GridParameters> grid_section() {
       "gradient, or stays as it was seeded.");
   section.choice(
       "Dilatation", &GridParameters::dilatation,
-      {{"Pointwise", Dilatation::pointwise}, {"Element Mean", Dilatation::element_mean}},
+      {{"Automatic", Dilatation::automatic},
+       {"Pointwise", Dilatation::pointwise},
+       {"Element Mean", Dilatation::element_mean}},
       "The change of volume that a particle resists: its own, or the mean over the particles of "
-      "its element. Element Mean keeps nearly incompressible materials (Poisson Ratio above 0.45 "
-      "or so) from locking, which makes them far too stiff; B-splines lock little without it "
-      "(docs/theory.md).");
+      "its element. Element Mean keeps nearly incompressible materials from locking, which makes "
+      "them far too stiff; B-splines lock little without it (docs/theory.md). Automatic: Element "
+      "Mean for Linear, GIMP and CPDI where the Poisson ratio of any material is above 0.45, else, "
+      "and with Deformation Gradient = Projected Displacement, Pointwise.");
   section.choice(
       "Deformation Gradient", &GridParameters::deformation_gradient,
       {{"Incremental", DeformationGradient::incremental},
@@ -75,6 +78,47 @@ deck::Section<GridParameters> grid_section() {
 
 double stabilization(const GridParameters& parameters) {
   return parameters.stabilization.value_or(parameters.reset ? 0.01 : 0.0);
+}
+
+namespace {
+
+bool lock(ShapeFunctions shape_functions) {
+  return shape_functions == ShapeFunctions::linear || shape_functions == ShapeFunctions::gimp ||
+         shape_functions == ShapeFunctions::cpdi;
+}
+
+}  // namespace
+
+Dilatation dilatation(const GridParameters& parameters, double largest_poisson_ratio) {
+  if (parameters.dilatation != Dilatation::automatic) return parameters.dilatation;
+  const bool needs_mean =
+      lock(parameters.shape_functions) && largest_poisson_ratio > locking_poisson_ratio;
+  return needs_mean && parameters.deformation_gradient == DeformationGradient::incremental
+             ? Dilatation::element_mean
+             : Dilatation::pointwise;
+}
+
+std::string describe_dilatation(const GridParameters& parameters, double largest_poisson_ratio) {
+  const bool is_mean = dilatation(parameters, largest_poisson_ratio) == Dilatation::element_mean;
+  std::string text = is_mean ? "Element Mean" : "Pointwise";
+  if (parameters.dilatation == Dilatation::automatic)
+    text += base::format(" (Automatic, for Poisson ratios up to %.6g)", largest_poisson_ratio);
+  return text;
+}
+
+std::string locking_note(const GridParameters& parameters, double largest_poisson_ratio) {
+  if (!lock(parameters.shape_functions) || largest_poisson_ratio < locking_poisson_ratio ||
+      dilatation(parameters, largest_poisson_ratio) != Dilatation::pointwise)
+    return "";
+  const bool is_projected =
+      parameters.deformation_gradient == DeformationGradient::projected_displacement;
+  return base::format(
+             "Grid|Dilatation = Pointwise lets these shape functions lock at a Poisson ratio of "
+             "%.6g: the body is too stiff, the more so the nearer it is to 0.5; ",
+             largest_poisson_ratio) +
+         (is_projected ? "Deformation Gradient = Projected Displacement admits no other; "
+                         "\"Incremental\" with \"Element Mean\", or B-splines, cure it"
+                       : "\"Element Mean\", or B-splines, cure it");
 }
 
 Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& length) {

@@ -95,7 +95,8 @@ LabelVolume cut(const base::Communicator& communicator, const LabelVolume& whole
 }
 
 LabelVolume phantom_labels(const base::Communicator& communicator,
-                           const ImageParameters& parameters, ImageSummary& summary) {
+                           const ImageParameters& parameters, ImageSummary& summary,
+                           const BeforeReading& before_reading) {
   const PhantomParameters& phantom = *parameters.phantom;
   summary.path = "phantom";
   summary.format = "phantom";
@@ -106,6 +107,7 @@ LabelVolume phantom_labels(const base::Communicator& communicator,
   }
   const Box region = region_of(parameters, summary.path, summary.file_size);
   summary.size = region.count;
+  if (before_reading) before_reading(summary);
   LabelVolume labels = make_phantom(communicator, phantom);
   return parameters.region ? cut(communicator, labels, region) : labels;
 }
@@ -114,7 +116,7 @@ LabelVolume phantom_labels(const base::Communicator& communicator,
 
 IntensityVolume read_volume(const base::Communicator& communicator,
                             const ImageParameters& parameters, const std::string& folder,
-                            ImageSummary& summary) {
+                            ImageSummary& summary, const BeforeReading& before_reading) {
   if (!parameters.file) throw base::InputError("Image|File: missing");
   const std::filesystem::path name = *parameters.file;
   ImageRequest request;
@@ -140,6 +142,7 @@ IntensityVolume read_volume(const base::Communicator& communicator,
   override_voxel_size(parameters, summary);
   const Box region = region_of(parameters, request.path, summary.file_size);
   summary.size = region.count;
+  if (before_reading) before_reading(summary);
 
   IntensityVolume volume;
   base::collectively(communicator, [&] {
@@ -170,11 +173,12 @@ void require_voxel_size(const ImageSummary& summary) {
 }
 
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
-                        const std::string& folder, ImageSummary* wanted_summary) {
+                        const std::string& folder, ImageSummary* wanted_summary,
+                        const BeforeReading& before_reading) {
   ImageSummary summary;
   LabelVolume labels;
   if (parameters.phantom) {
-    labels = phantom_labels(communicator, parameters, summary);
+    labels = phantom_labels(communicator, parameters, summary, before_reading);
     const int smallest = parameters.segmentation.smallest_object;
     if (smallest > 1) {
       const auto removed =
@@ -183,8 +187,11 @@ LabelVolume read_labels(const base::Communicator& communicator, const ImageParam
           base::format("objects of fewer than %d voxels removed: %lld", smallest, removed));
     }
   } else {
-    IntensityVolume volume = read_volume(communicator, parameters, folder, summary);
-    require_voxel_size(summary);
+    IntensityVolume volume =
+        read_volume(communicator, parameters, folder, summary, [&](const ImageSummary& found) {
+          require_voxel_size(found);
+          if (before_reading) before_reading(found);
+        });
     try {
       labels = segment(communicator, std::move(volume), parameters.segmentation, summary);
     } catch (const base::InputError& error) {  // thrown on all ranks alike

@@ -3,6 +3,7 @@
 /// \file
 /// From an image file or a phantom to a volume of intensities, and on to labels.
 
+#include <functional>
 #include <string>
 
 #include "base/Communicator.hpp"
@@ -11,6 +12,10 @@
 #include "image/Volume.hpp"
 
 namespace stroma::image {
+
+/// What a caller wants to do once the size of an image is known, before its voxels take memory.
+/// Called by all ranks alike.
+using BeforeReading = std::function<void(const ImageSummary&)>;
 
 /// Reads the region of an image file that the parameters name, each rank its slab of planes.
 /// Collective.
@@ -27,7 +32,7 @@ namespace stroma::image {
 ///   dataset, a type of value that is not admissible, a region outside the image
 IntensityVolume read_volume(const base::Communicator& communicator,
                             const ImageParameters& parameters, const std::string& folder,
-                            ImageSummary& summary);
+                            ImageSummary& summary, const BeforeReading& before_reading = {});
 
 /// \throws base::InputError naming the deck's parameter when the size of a voxel is not known along
 /// every axis
@@ -39,6 +44,7 @@ void require_voxel_size(const ImageSummary& summary);
 /// \throws base::InputError as read_volume, and when the voxel size is unknown, a label is not an
 ///   integer or below -1, an intensity is not finite, or Otsu's method meets a single value
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
-                        const std::string& folder, ImageSummary* summary = nullptr);
+                        const std::string& folder, ImageSummary* summary = nullptr,
+                        const BeforeReading& before_reading = {});
 
 }  // namespace stroma::image

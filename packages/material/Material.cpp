@@ -1,5 +1,6 @@
 #include "material/Material.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace stroma::material {
@@ -51,6 +52,16 @@ deck::Section<MaterialsParameters> materials_section() {
 
 double bulk_modulus(double shear_modulus, double poisson_ratio) {
   return 2.0 * shear_modulus * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio));
+}
+
+double largest_poisson_ratio(const NamedMaterials& materials) {
+  double largest = -1.0;
+  for (const auto& [name, m] : materials) {
+    const double K = m.bulk_modulus.value_or(0.0), mu = m.shear_modulus;
+    const double nu = m.poisson_ratio.value_or((3.0 * K - 2.0 * mu) / (2.0 * (3.0 * K + mu)));
+    largest = std::max(largest, nu);
+  }
+  return largest;
 }
 
 std::vector<NeoHookean> laws(const NamedMaterials& materials) {

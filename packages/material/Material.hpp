@@ -39,6 +39,10 @@ deck::Section<MaterialsParameters> materials_section();
 /// K = 2 mu (1 + nu) / (3 (1 - 2 nu))  [Pa].
 double bulk_modulus(double shear_modulus, double poisson_ratio);
 
+/// The largest Poisson ratio of the materials, of at least one: as given, or (3 K - 2 mu) / (2 (3 K
+/// + mu)).
+double largest_poisson_ratio(const NamedMaterials& materials);
+
 /// The law of each material, by index.
 std::vector<NeoHookean> laws(const NamedMaterials& materials);
 

@@ -59,13 +59,13 @@ class BoundaryPointMaker {
     const BoundaryCondition& condition = problem_.conditions[static_cast<std::size_t>(m)].second;
     const int axis = axis_of(face);
     const auto d = static_cast<std::size_t>(axis);
-    const double spacing = problem_.particle_spacing[d];
+    const double thickness = problem_.outer_thickness[d];
     const double outwards = body_.origin[d] + (is_upper(face) ? body_.length(axis) : 0.0) - X[d];
-    if (!(std::abs(outwards) <= spacing)) return;
+    if (!(std::abs(outwards) <= thickness)) return;
     BoundaryPoint point{};
     point.particle = particle;
     point.condition = m;
-    point.spring = stiffness_per_area(problem_, condition, axis, modulus_) * volume / spacing;
+    point.spring = stiffness_per_area(problem_, condition, axis, modulus_) * volume / thickness;
     point.offset[axis] = outwards;
     Vector at = X;
     at[d] += outwards;

@@ -18,7 +18,7 @@ namespace stroma::mechanics {
 ///
 ///     k = epsilon V0 / s,     epsilon = factor M / L       [pN/um]
 ///
-/// s the distance of particles across the face, L the body's length along its normal, and M the
+/// s the thickness of that layer, L the body's length along its normal, and M the
 /// largest K + 4/3 mu of the body's materials. Springs in series with the body lower a force by
 /// 1 / factor at most, whatever the grid. Source: docs/theory.md, eq. (T.31). Collective.
 ///

@@ -43,7 +43,7 @@ deck::Section<ExternalForcesParameters> external_forces_section() {
 }
 
 std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, const grid::Grid& body,
-                                                 const std::array<double, 3>& spacing) {
+                                                 const std::array<double, 3>& outer_thickness) {
   std::vector<transfer::VolumeForce> all;
   for (const auto& named : forces) {
     const ExternalForce& force = named.second;
@@ -55,8 +55,8 @@ std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, cons
       const auto d = static_cast<std::size_t>(axis);
       one.axis = axis;
       one.face = body.origin[d] + (is_upper(*force.face) ? body.length(axis) : 0.0);
-      one.thickness = spacing[d];
-      scale = 1.0 / spacing[d];
+      one.thickness = outer_thickness[d];
+      scale = 1.0 / outer_thickness[d];
     }
     const auto& vector = force.body_force     ? *force.body_force
                          : force.acceleration ? *force.acceleration

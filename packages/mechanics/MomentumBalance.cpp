@@ -26,11 +26,29 @@ void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
     throw base::InputError(
         "the partition's grid is not the one for the problem's shape functions; admissible: one "
         "made by grid::partition_for()");
-  for (int d = 0; d < (grid.flat ? 2 : 3) && grid.centered; ++d)
-    if (!(problem.particle_half_edge[static_cast<std::size_t>(d)] > 0.0))
+  for (const auto& half_edge : problem.particle_half_edge)
+    if (grid.centered && half_edge.empty())
       throw base::InputError(
-          "these shape functions average over the particles' domains; admissible: a positive "
-          "Problem::particle_half_edge along each axis");
+          "these shape functions average over the particles' domains; admissible: "
+          "Problem::particle_half_edge of each layer of particles along each axis");
+}
+
+/// The domains as kernels want them: one box if all are alike.
+transfer::ParticleDomains<grid::Device> domains_of(const Problem& problem) {
+  transfer::ParticleDomains<grid::Device> domains;
+  std::vector<double> of_layer;
+  bool are_alike = true;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto& half_edge = problem.particle_half_edge[d];
+    if (half_edge.empty()) return {};
+    domains.half_edge[d] = half_edge.front();
+    domains.layers[d] = static_cast<std::int64_t>(half_edge.size());
+    of_layer.insert(of_layer.end(), half_edge.begin(), half_edge.end());
+    are_alike = are_alike && std::all_of(half_edge.begin(), half_edge.end(),
+                                         [&](double edge) { return edge == half_edge.front(); });
+  }
+  if (!are_alike) domains.of_layer = grid::to_device("domains", of_layer);
+  return domains;
 }
 
 transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
@@ -105,7 +123,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       density_(grid::to_device("density", problem.density.empty()
                                               ? std::vector<double>(problem.laws.size(), 1.0)
                                               : problem.density)),
-      half_edge_(problem.particle_half_edge),
+      domains_(domains_of(problem)),
       stretches_domains_(problem.particle_domain == grid::ParticleDomain::stretched),
       base_load_(base_load),
       load_(base_load) {
@@ -189,7 +207,7 @@ void MomentumBalance::find_fictitious_points(double stabilization) {
 void MomentumBalance::find_external_force(const Problem& problem) {
   const grid::Vector at_rest(halo_.owned_map());
   const auto forces = grid::to_device(
-      "forces", volume_forces(problem.forces, problem.body, problem.particle_spacing));
+      "forces", volume_forces(problem.forces, problem.body, problem.outer_thickness));
   const auto at_particles = body_force_at(problem.body_force, particles_);
   kernels_->external_force(points(at_rest), forces, density_, at_particles, halo_.contributions());
   const auto force = Teuchos::rcp(new grid::Vector(halo_.owned_map()));
@@ -216,7 +234,7 @@ MomentumBalance::Points MomentumBalance::points(const grid::Vector& u) const {
           particles_,
           halo_.gather(u),
           fictitious_volume_,
-          {half_edge_[0], half_edge_[1], half_edge_[2]},
+          domains_,
           stretches_domains_,
           problem_.dilatation == grid::Dilatation::element_mean};
 }

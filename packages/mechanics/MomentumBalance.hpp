@@ -166,7 +166,7 @@ class MomentumBalance {
   Kokkos::View<const double*, Device> density_;  // of each material
   Kokkos::View<const float*, Device> fictitious_volume_;
   transfer::BoundaryPointSet<Device> boundary_;
-  std::array<double, 3> half_edge_;  // of the particles' domains, as seeded [um]
+  transfer::ParticleDomains<Device> domains_;
   bool stretches_domains_;
   double typical_diagonal_;   // [pN/um]
   double stiffest_diagonal_;  // with springs [pN/um]

@@ -24,10 +24,13 @@ struct Problem {
   /// Besides, a force per reference volume [pN/um^3] at full load that depends on where a particle
   /// was in the undeformed body, X [um]; empty: none. For applications and tests, not for decks.
   std::function<std::array<double, 3>(const std::array<double, 3>& X)> body_force = {};
-  std::vector<double> density;               ///< of each material [kg/m^3]; empty: all alike
-  std::array<double, 3> particle_spacing{};  ///< at load 0 [um]; only tractions need it
-  /// Half the edges of a particle's domain at load 0 [um]; hats do without.
-  std::array<double, 3> particle_half_edge{};
+  std::vector<double> density;  ///< of each material [kg/m^3]; empty: all alike
+  /// Of the particles next to the body's faces across each axis, at load 0 [um]; tractions and
+  /// penalties need it.
+  std::array<double, 3> outer_thickness{};
+  /// Half the edges of the particles' domains at load 0 [um], for each layer of particles along an
+  /// axis (particles::LayoutSizes); hats do without.
+  std::array<std::vector<double>, 3> particle_half_edge{};
 
   bool reset = false;  ///< the grid returns to its lattice after each step
   grid::ShapeFunctions shape_functions = grid::ShapeFunctions::linear;

@@ -194,7 +194,7 @@ std::vector<std::int64_t> middle_layer(const base::Communicator& communicator,
   if (z != nullptr) *z = layer;
   std::vector<std::int64_t> members;
   for (std::int64_t p = 0; p < particles.count; ++p) {
-    if (std::abs(height(p) - layer) < 0.499 * z_spacing) members.push_back(p);
+    if (std::abs(height(p) - layer) < 1e-6 * z_spacing) members.push_back(p);
   }
   return members;
 }

@@ -30,8 +30,8 @@ struct SlicePoint {
 
 /// The middle layer of the specimen in z: the particles of this rank (indices into the set) whose
 /// reference position lies in the highest layer that is not above the middle of the specimen's
-/// height. A layer is half a spacing thick on either side. Collective.
-/// \param z_spacing  distance of two layers of particles [um]
+/// height. Particles of a layer have one height, but for rounding. Collective.
+/// \param z_spacing  distance of two layers of particles, about [um]
 /// \param z  (out, if not null) the layer's reference height, the same on all ranks [um]
 std::vector<std::int64_t> middle_layer(const base::Communicator& communicator,
                                        const ParticleSet& particles, double z_spacing,

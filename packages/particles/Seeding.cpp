@@ -1,7 +1,6 @@
 #include "particles/Seeding.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/Error.hpp"
@@ -9,24 +8,6 @@
 
 namespace stroma::particles {
 namespace {
-
-/// Points along axis d in each voxel (Voxel Centers) or element (the others).
-int points_along(const ParticleParameters& parameters, const grid::Grid& grid, int d) {
-  if (parameters.layout == Layout::gauss) return 2;
-  if (grid.flat && d == 2) return 1;
-  return parameters.layout == Layout::voxel_centers ? parameters.per_voxel : parameters.per_element;
-}
-
-/// Natural coordinates (0 to 1) of the points of one element along one axis; equal shares.
-std::vector<double> points_in_element(const ParticleParameters& parameters, int count) {
-  if (parameters.layout == Layout::gauss) {
-    const double offset = 0.5 / std::sqrt(3.0);
-    return {0.5 - offset, 0.5 + offset};
-  }
-  std::vector<double> points;
-  for (int n = 0; n < count; ++n) points.push_back((n + 0.5) / count);
-  return points;
-}
 
 template <class View>
 void allocate(View& view, const char* name, std::size_t count) {
@@ -43,9 +24,16 @@ deck::Section<ParticleParameters> particles_section() {
       {{"Voxel Centers", Layout::voxel_centers},
        {"Gauss", Layout::gauss},
        {"Per Element", Layout::per_element}},
-      "Voxel Centers: Per Voxel^3 particles in each voxel; Gauss: the 2 x 2 x 2 Gauss points of "
-      "each element; Per Element: Per Element^3 equally spaced particles in each element. In plane "
-      "strain, Voxel Centers and Per Element have one particle through z: nothing varies there.");
+      "Voxel Centers: Per Voxel^3 particles in each voxel, cut where faces of elements cross it, "
+      "and "
+      "halved where elements would have one alone: any resolution of the grid is integrated. "
+      "Gauss: "
+      "the 2 x 2 x 2 Gauss points of each element. Per Element: Per Element^3 equally spaced "
+      "particles in each element. These two take the label of the voxel at the particle for all "
+      "that it stands for, and so lose voxels where there are more than particles; the domains of "
+      "Gauss points leave gaps for shape functions that average over them, and Per Element = 1 "
+      "leaves motions of nodes without resistance. In plane strain, Voxel Centers and Per Element "
+      "have one particle through z: nothing varies there.");
   section.optional("Per Voxel", &ParticleParameters::per_voxel, deck::between(1, 16),
                    "Particles per voxel and direction, for Layout = Voxel Centers.");
   section.optional("Per Element", &ParticleParameters::per_element, deck::between(1, 64),
@@ -53,87 +41,36 @@ deck::Section<ParticleParameters> particles_section() {
   return section;
 }
 
-double particle_spacing(const ParticleParameters& parameters, const grid::Grid& grid, int d,
-                        double voxel_size) {
-  return (parameters.layout == Layout::voxel_centers ? voxel_size : grid.spacing[d]) /
-         points_along(parameters, grid, d);
-}
-
-double domain_half_edge(const ParticleParameters& parameters, const grid::Grid& grid, int d,
-                        double voxel_size) {
-  if (parameters.layout == Layout::gauss) return (0.5 - 0.5 / std::sqrt(3.0)) * grid.spacing[d];
-  return 0.5 * particle_spacing(parameters, grid, d, voxel_size);
-}
-
-AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& grid, int d,
-                       std::int64_t begin, std::int64_t end, std::int64_t voxels,
-                       double voxel_size) {
-  const double h = grid.spacing[d];
-  AxisLayout axis;
-  const auto add = [&](double distance, double share) {  // distance from the grid's origin
-    axis.position.push_back(grid.origin[d] + distance);
-    axis.length.push_back(share);
-    const auto voxel = static_cast<std::int64_t>(std::floor(distance / voxel_size));
-    axis.voxel.push_back(std::clamp<std::int64_t>(voxel, 0, voxels - 1));
-  };
-  if (parameters.layout == Layout::voxel_centers) {
-    const int n = points_along(parameters, grid, d);
-    axis.total = voxels * n;
-    const auto distance = [&](std::int64_t point) {
-      return (static_cast<double>(point) + 0.5) / n * voxel_size;
-    };
-    const auto element = [&](std::int64_t point) {
-      return static_cast<std::int64_t>(std::floor(distance(point) / h + face_tolerance));
-    };
-    // The guess for the first point may be off by one where points lie on faces of elements.
-    auto point = static_cast<std::int64_t>(static_cast<double>(begin) * h / voxel_size * n) - 1;
-    point = std::max<std::int64_t>(point, 0);
-    while (point < axis.total && element(point) < begin) ++point;
-    axis.first = point;
-    for (std::int64_t e = begin; e < end; ++e) {
-      axis.element_begin.push_back(static_cast<int>(axis.position.size()));
-      for (; point < axis.total && element(point) == e; ++point)
-        add(distance(point), voxel_size / n);
-    }
-  } else {
-    const std::vector<double> points =
-        points_in_element(parameters, points_along(parameters, grid, d));
-    const auto n = static_cast<std::int64_t>(points.size());
-    axis.total = grid.elements[d] * n;
-    axis.first = begin * n;
-    for (std::int64_t e = begin; e < end; ++e) {
-      axis.element_begin.push_back(static_cast<int>(axis.position.size()));
-      for (const double xi : points)
-        add((static_cast<double>(e) + xi) * h, h / static_cast<double>(n));
-    }
-  }
-  axis.element_begin.push_back(static_cast<int>(axis.position.size()));
-  return axis;
-}
-
 std::array<std::vector<double>, 3> layer_weights(const base::Communicator& communicator,
                                                  const grid::Grid& grid,
                                                  const image::LabelVolume& labels) {
-  std::array<std::vector<double>, 3> weights;
-  std::array<std::vector<std::size_t>, 3> layer_of_voxel;
-  for (int d = 0; d < 3; ++d) {
-    weights[d].assign(static_cast<std::size_t>(grid.elements[d]), 0.0);
-    for (std::int64_t v = 0; v < labels.size[d]; ++v) {
-      const double centre = (static_cast<double>(v) + 0.5) * labels.voxel_size[d];
-      const auto layer = static_cast<std::int64_t>(centre / grid.spacing[d] + face_tolerance);
-      layer_of_voxel[d].push_back(static_cast<std::size_t>(std::min(layer, grid.elements[d] - 1)));
-    }
-  }
+  std::array<std::vector<double>, 3> filled;  // voxels of each plane of voxels
+  for (std::size_t d = 0; d < 3; ++d)
+    filled[d].assign(static_cast<std::size_t>(labels.size[d]), 0.0);
   std::size_t position = 0;
   for (std::int64_t k = 0; k < labels.planes; ++k)
-    for (std::size_t j = 0; j < layer_of_voxel[1].size(); ++j)
-      for (std::size_t i = 0; i < layer_of_voxel[0].size(); ++i, ++position) {
+    for (std::size_t j = 0; j < filled[1].size(); ++j)
+      for (std::size_t i = 0; i < filled[0].size(); ++i, ++position) {
         if (labels.values[position] < 0) continue;
-        weights[0][layer_of_voxel[0][i]] += 1.0;
-        weights[1][layer_of_voxel[1][j]] += 1.0;
-        weights[2][layer_of_voxel[2][static_cast<std::size_t>(labels.first_plane + k)]] += 1.0;
+        filled[0][i] += 1.0;
+        filled[1][j] += 1.0;
+        filled[2][static_cast<std::size_t>(labels.first_plane + k)] += 1.0;
       }
-  for (auto& weight : weights) communicator.sum_all(weight.data(), weight.size());
+  std::array<std::vector<double>, 3> weights;
+  for (std::size_t d = 0; d < 3; ++d) {
+    communicator.sum_all(filled[d].data(), filled[d].size());
+    const std::int64_t elements = grid.elements[d];
+    for (std::int64_t e = 0; e < elements; ++e) {
+      double weight = 0.0;
+      for_each_piece(e, elements, labels.size[d],
+                     [&](std::int64_t voxel, std::int64_t begin, std::int64_t end) {
+                       const double share =
+                           static_cast<double>(end - begin) / static_cast<double>(2 * elements);
+                       weight += filled[d][static_cast<std::size_t>(voxel)] * share;
+                     });
+      weights[d].push_back(weight);
+    }
+  }
   return weights;
 }
 

@@ -7,6 +7,7 @@
 #include "shape/Place.hpp"
 #include "tensor/Tensor3.hpp"
 #include "transfer/ElementLoop.hpp"
+#include "transfer/ParticleDomains.hpp"
 
 namespace stroma::transfer {
 
@@ -49,9 +50,9 @@ struct PointSet {
   NodeView displacement;  ///< U of the touched nodes [um]
   /// (element) volume of each of its fictitious points [um^3], 0 for most; or empty: none.
   Kokkos::View<const float*, Device> fictitious_volume = {};
-  double half_edge[3] = {0.0, 0.0, 0.0};  ///< of the particles' domains, as seeded [um]
-  bool stretches_domains = true;          ///< domains are F times as seeded
-  bool averages_dilatation = false;       ///< over each element (MeanDilatation.hpp)
+  ParticleDomains<Device> domains = {};  ///< as seeded
+  bool stretches_domains = true;         ///< domains are F times as seeded
+  bool averages_dilatation = false;      ///< over each element (MeanDilatation.hpp)
 };
 
 /// Particles and displaced nodes of a rank, element by element.
@@ -78,7 +79,7 @@ struct ElementParticles : PointSet<Device> {
   using PointSet<Device>::particles;
   using PointSet<Device>::displacement;
   using PointSet<Device>::fictitious_volume;
-  using PointSet<Device>::half_edge;
+  using PointSet<Device>::domains;
   using PointSet<Device>::stretches_domains;
   using PointSet<Device>::averages_dilatation;
 
@@ -215,6 +216,8 @@ struct ElementParticles : PointSet<Device> {
     for (int d = 0; d < 3; ++d)
       place.xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
     if constexpr (Shape::has_domain) {
+      double half_edge[3];
+      domains.half_edges(particles.id, p, half_edge);
       const bool stretched = stretches_domains && particles.base_gradient.extent(0) != 0;
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d) {

@@ -21,6 +21,7 @@ struct Specimen {
   std::array<double, 3> spacing{2.1, 2.1, 2.0};  ///< [um]
   std::array<double, 3> origin{0.0, 0.0, 0.0};   ///< [um]
   std::array<std::int64_t, 3> voxels_per_element{2, 2, 2};
+  std::array<std::int64_t, 3> image_size{};  ///< voxels in all, instead of voxels_per_element
   std::function<std::int32_t(const grid::Index3&)> label;  ///< of a voxel; none: all 0
   particles::ParticleParameters layout{particles::Layout::gauss, 1, 2};
   std::vector<material::NeoHookean> laws{{520.8, 2430.4}, {1041.6, 4860.8}};  ///< of labels 0 and 1
@@ -45,14 +46,24 @@ struct Specimen {
     return grid;
   }
 
-  image::LabelVolume labels(const base::Communicator& communicator) const {
+  std::array<std::int64_t, 3> voxels() const {
+    if (image_size[0] > 0) return image_size;
     std::array<std::int64_t, 3> size;
-    std::array<double, 3> voxel_size;
-    for (std::size_t d = 0; d < 3; ++d) {
-      size[d] = elements[d] * voxels_per_element[d];
-      voxel_size[d] = spacing[d] / static_cast<double>(voxels_per_element[d]);
-    }
-    image::LabelVolume volume(communicator, size, voxel_size);
+    for (std::size_t d = 0; d < 3; ++d) size[d] = elements[d] * voxels_per_element[d];
+    return size;
+  }
+  std::array<double, 3> voxel_size() const {
+    std::array<double, 3> edge;
+    for (std::size_t d = 0; d < 3; ++d)
+      edge[d] = image_size[d] > 0
+                    ? grid().length(static_cast<int>(d)) / static_cast<double>(image_size[d])
+                    : spacing[d] / static_cast<double>(voxels_per_element[d]);
+    return edge;
+  }
+
+  image::LabelVolume labels(const base::Communicator& communicator) const {
+    const std::array<std::int64_t, 3> size = voxels();
+    image::LabelVolume volume(communicator, size, voxel_size());
     if (!label) return volume;
     std::size_t n = 0;
     for (std::int64_t k = 0; k < volume.planes; ++k)
@@ -92,12 +103,9 @@ struct Specimen {
     problem.forces = forces;
     problem.body_force = body_force;
     problem.density = density;
-    for (int d = 0; d < 3; ++d) {
-      const auto i = static_cast<std::size_t>(d);
-      const double voxel = spacing[i] / static_cast<double>(voxels_per_element[i]);
-      problem.particle_spacing[i] = particles::particle_spacing(layout, problem.body, d, voxel);
-      problem.particle_half_edge[i] = particles::domain_half_edge(layout, problem.body, d, voxel);
-    }
+    const auto sizes = particles::layout_sizes(layout, problem.body, voxels(), voxel_size());
+    problem.outer_thickness = sizes.outer_thickness;
+    problem.particle_half_edge = sizes.half_edge;
     problem.reset = reset;
     problem.shape_functions = shape_functions;
     problem.particle_domain = particle_domain;

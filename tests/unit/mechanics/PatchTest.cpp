@@ -169,8 +169,7 @@ TEST(PatchTest, EmptySpaceLeavesTheStateUniform) {
   EXPECT_LT(world().max(in_full_part), 1e-12 * world().max(largest));
 }
 
-// 9 voxels along 6 elements: one and two particles by turns. F is uniform; equilibrium is not
-// claimed.
+// 9 voxels along 6 elements: every other voxel is cut (QuadratureTest has equilibrium).
 TEST(PatchTest, VoxelsAcrossElementsKeepTheStateUniform) {
   Specimen specimen;
   specimen.elements = {6, 4, 4};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -107,37 +108,121 @@ TEST(AxisLayout, VoxelCentresAreTheVoxelsCentres) {
   }
 }
 
-// 3 voxels over 2 elements: the centre of the middle voxel lies on the face between them.
-TEST(AxisLayout, APointOnAFaceBelongsToTheUpperElement) {
+// Bit for bit: what was right on the voxels' own centres stays as it was.
+TEST(AxisLayout, WholeNumbersOfVoxelsAnElementAreNotCut) {
+  for (const std::int64_t elements : {1, 3, 50, 331})
+    for (const std::int64_t per_element : {2, 3, 5, 8})
+      for (const int n : {1, 2, 3})
+        for (const double voxel : {0.1, 0.93, 1.05, 1.0 / 3.0}) {
+          const std::int64_t voxels = elements * per_element;
+          const grid::Grid grid = grid_of(
+              elements, static_cast<double>(voxels) * voxel / static_cast<double>(elements), -3.7);
+          const AxisLayout axis =
+              axis_layout(voxel_centers(n), grid, 0, 0, elements, voxels, voxel);
+          ASSERT_EQ(axis.total, voxels * n);
+          for (std::int64_t point = 0; point < axis.total; ++point) {
+            const auto p = static_cast<std::size_t>(point);
+            ASSERT_EQ(axis.position[p],
+                      grid.origin[0] + (static_cast<double>(point) + 0.5) / n * voxel);
+            ASSERT_EQ(axis.length[p], voxel / n);
+            ASSERT_EQ(axis.half_edge[p], 0.5 * (voxel / n));
+          }
+          for (std::size_t e = 0; e < axis.element_begin.size(); ++e)
+            ASSERT_EQ(axis.element_begin[e], static_cast<int>(e) * per_element * n);
+        }
+}
+
+// 3 voxels on 2 elements: the middle one is cut, and its halves have points of their own.
+TEST(AxisLayout, VoxelsAreCutAtTheFacesOfElements) {
   const AxisLayout axis = axis_layout(voxel_centers(1), grid_of(2, 1.5), 0, 0, 2, 3, 1.0);
-  EXPECT_EQ(axis.element_begin, (std::vector<int>{0, 1, 3}));
-  const AxisLayout lower = axis_layout(voxel_centers(1), grid_of(2, 1.5), 0, 0, 1, 3, 1.0);
-  EXPECT_EQ(lower.position.size(), 1u);
+  EXPECT_EQ(axis.element_begin, (std::vector<int>{0, 2, 4}));
+  EXPECT_EQ(axis.position, (std::vector<double>{0.5, 1.25, 1.75, 2.5}));
+  EXPECT_EQ(axis.length, (std::vector<double>{1.0, 0.5, 0.5, 1.0}));
+  EXPECT_EQ(axis.half_edge, (std::vector<double>{0.5, 0.25, 0.25, 0.5}));
+  EXPECT_EQ(axis.voxel, (std::vector<std::int64_t>{0, 1, 1, 2}));
   const AxisLayout upper = axis_layout(voxel_centers(1), grid_of(2, 1.5), 0, 1, 2, 3, 1.0);
-  EXPECT_EQ(upper.position.size(), 2u);
-  EXPECT_EQ(upper.first, 1);
+  EXPECT_EQ(upper.first, 2);
+  EXPECT_EQ(upper.position, (std::vector<double>{1.75, 2.5}));
 }
 
-// Sizes without an exact binary form put such points a rounding error to either side of the face.
-TEST(AxisLayout, PointsOnFacesAreFoundOnceWhateverTheRounding) {
-  for (const double voxel : {0.1, 0.93, 1.05, 1.0 / 3.0})
-    for (const std::int64_t elements : {7, 50, 331}) {
-      const grid::Grid grid = grid_of(elements, 1.5 * voxel * 2.0);
-      check_whole_axis(voxel_centers(1), grid, 3 * elements);
-      check_parts(voxel_centers(1), grid_of(7, 1.5 * voxel), 21 / 2);
-      const AxisLayout axis = axis_layout(voxel_centers(1), grid_of(2 * elements, 1.5 * voxel), 0,
-                                          0, 2 * elements, 3 * elements, voxel);
-      ASSERT_EQ(axis.position.size(), static_cast<std::size_t>(3 * elements));
-      for (std::size_t e = 0; e < static_cast<std::size_t>(2 * elements); ++e)
-        EXPECT_EQ(axis.element_begin[e + 1] - axis.element_begin[e], e % 2 == 0 ? 1 : 2)
-            << "element " << e;
-    }
-}
-
-// Coarse voxels: an element may hold no particle at all.
-TEST(AxisLayout, ElementsMayStayEmpty) {
+// 2 voxels on 8 elements.
+TEST(AxisLayout, ElementsInsideAVoxelHaveTwoPoints) {
   const AxisLayout axis = axis_layout(voxel_centers(1), grid_of(8, 1.0), 0, 0, 8, 2, 4.0);
-  EXPECT_EQ(axis.element_begin, (std::vector<int>{0, 0, 0, 1, 1, 1, 1, 2, 2}));
+  ASSERT_EQ(axis.total, 16);
+  for (std::size_t p = 0; p < 16; ++p) {
+    EXPECT_EQ(axis.position[p], 0.25 + 0.5 * static_cast<double>(p));
+    EXPECT_EQ(axis.length[p], 0.5);
+    EXPECT_EQ(axis.voxel[p], p < 8 ? 0 : 1);
+  }
+}
+
+/// Along an element: the sum of the shares, and of share times squared distance from its middle
+/// [elements]; the latter is 1/12 of what varies linearly, and 1/16 with two equal points.
+std::array<double, 2> moments(const AxisLayout& axis, const grid::Grid& grid, std::size_t e) {
+  std::array<double, 2> sums{};
+  for (int p = axis.element_begin[e]; p < axis.element_begin[e + 1]; ++p) {
+    const auto n = static_cast<std::size_t>(p);
+    const double share = axis.length[n] / grid.spacing[0];
+    const double place = axis.position[n] / grid.spacing[0] - static_cast<double>(e) - 0.5;
+    sums[0] += share;
+    sums[1] += share * place * place;
+  }
+  return sums;
+}
+
+// Elements from a quarter of a voxel to eight of them, and the ratios next to whole ones, whose
+// pieces are the shortest.
+TEST(AxisLayout, EveryElementIsFilledAndResistsWhateverTheResolution) {
+  for (const double voxel : {0.1, 1.05, 1.0 / 3.0})
+    for (const std::int64_t elements : {4, 13, 100, 511})
+      for (std::int64_t voxels = elements / 4; voxels <= 8 * elements; voxels += 1 + elements / 9)
+        for (const std::int64_t count : {voxels, elements - 1, elements, elements + 1}) {
+          const double h = voxel * static_cast<double>(count) / static_cast<double>(elements);
+          const grid::Grid grid = grid_of(elements, h);
+          const AxisLayout axis = axis_layout(voxel_centers(1), grid, 0, 0, elements, count, voxel);
+          const double shortest = 0.5 * voxel * static_cast<double>(std::gcd(count, elements)) /
+                                  static_cast<double>(elements);
+          for (std::size_t e = 0; e < static_cast<std::size_t>(elements); ++e) {
+            SCOPED_TRACE(testing::Message() << count << " voxels in " << elements << " elements");
+            const auto [share, second] = moments(axis, grid, e);
+            ASSERT_NEAR(share, 1.0, 1e-12);
+            ASSERT_GE(second, 0.75 / 16.0 - 1e-12);
+            ASSERT_GE(axis.element_begin[e + 1] - axis.element_begin[e], 2);
+          }
+          for (const double length : axis.length) ASSERT_GE(length, shortest * (1.0 - 1e-12));
+        }
+}
+
+TEST(AxisLayout, PlaneStrainHasOnePointAVoxelThroughItsOneElement) {
+  grid::Grid grid = grid_of(4, 1.0);
+  grid.flat = true;
+  for (const std::int64_t voxels : {1, 3}) {
+    const AxisLayout axis =
+        axis_layout(voxel_centers(2), grid, 2, 0, 1, voxels, 1.0 / static_cast<double>(voxels));
+    EXPECT_EQ(axis.total, voxels);
+  }
+}
+
+TEST(LayoutNotes, SayWhatALayoutLacks) {
+  grid::Grid grid;
+  grid.elements = {4, 4, 4};
+  const auto notes = [&](const ParticleParameters& parameters,
+                         const std::array<std::int64_t, 3>& voxels) {
+    std::string all;
+    for (const std::string& note : layout_notes(parameters, grid, voxels)) all += note + "\n";
+    return all;
+  };
+  EXPECT_EQ(notes(voxel_centers(1), {4, 5, 9}), "");
+  EXPECT_NE(notes(voxel_centers(1), {4, 3, 2}).find("finer than voxels along y and z"),
+            std::string::npos);
+  EXPECT_EQ(notes(gauss, {8, 4, 8}), "");
+  EXPECT_NE(notes(gauss, {8, 8, 9}).find("does not resolve the voxels along z"), std::string::npos);
+  EXPECT_EQ(notes(per_element(3), {12, 12, 4}), "");
+  EXPECT_NE(notes(per_element(3), {8, 12, 12}).find("along x"), std::string::npos);
+  EXPECT_NE(notes(per_element(1), {4, 4, 4}).find("under-integrates"), std::string::npos);
+  grid.elements[2] = 1;
+  grid.flat = true;
+  EXPECT_EQ(notes(per_element(2), {8, 8, 3}), "");
 }
 
 }  // namespace
