@@ -8,9 +8,9 @@ namespace {
 /// With so much of it or more, barely filled elements are no harder to solve for than others.
 constexpr double firm_stabilization = 1e-3;
 
-Kokkos::View<double*, grid::Device> missing_volume(const MomentumBalance& balance) {
+Kokkos::View<double*, grid::Device> missing_in(const MomentumBalance& balance) {
   const grid::Halo& halo = balance.halo();
-  return missing_volume(element_box(halo.partition(), halo.communicator().rank()),
+  return mechanics::missing_volume(element_box(halo.partition(), halo.communicator().rank()),
                         balance.particles());
 }
 
@@ -63,7 +63,7 @@ Kokkos::View<double*, grid::Device> missing_volume(
 }
 
 std::int64_t count_barely_filled(const MomentumBalance& balance) {
-  const auto missing = missing_volume(balance);
+  const auto missing = missing_in(balance);
   std::int64_t count = 0;
   Kokkos::parallel_reduce(
       "barely filled",
@@ -85,7 +85,7 @@ std::string barely_filled_note(const MomentumBalance& balance) {
 
 Kokkos::View<std::uint8_t*, grid::Device> barely_held_elements(const MomentumBalance& balance) {
   if (balance.problem().stabilization >= firm_stabilization) return {};
-  const auto missing = missing_volume(balance);
+  const auto missing = missing_in(balance);
   const Kokkos::View<std::uint8_t*, grid::Device> held("barely held", missing.extent(0));
   std::int64_t count = 0;
   Kokkos::parallel_reduce(
