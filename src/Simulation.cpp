@@ -10,6 +10,7 @@
 #include "base/Error.hpp"
 #include "base/Session.hpp"
 #include "base/Signals.hpp"
+#include "mechanics/BarelyFilled.hpp"
 #include "solver/LoadStep.hpp"
 #include "solver/StepControl.hpp"
 #include "solver/TrialSolve.hpp"
@@ -40,6 +41,8 @@ void describe(const base::Communicator& communicator, const Specimen& specimen,
   if (!crowded.empty()) log.note(crowded);
   for (const std::string& note : specimen.notes) log.note(note);
   for (const std::string& note : balance.supports().notes()) log.note(note);
+  const std::string barely_filled = mechanics::barely_filled_note(balance);
+  if (!barely_filled.empty()) log.note(barely_filled);
 }
 
 /// Begins a step; says so when the body came apart, or together, with the grid's reset.
@@ -189,6 +192,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     log.require_written();
     if (!load.finished()) end_if_asked();
   }
+  if (!p.grid.reset && mechanics::count_barely_filled(body.balance()) > 0)
+    log.note(format("Grid|Stabilization adds %.1e to the stiffness of the body, to first order",
+                    mechanics::stabilization_share(body.balance(), body.displacement())));
   results.finish(body.balance(), body.displacement(), seconds);
 }
 
