@@ -11,6 +11,7 @@
 #include "image/Objects.hpp"
 #include "image/Segmentation.hpp"
 #include "solver/IterationTraffic.hpp"
+#include "solver/TrialSolve.hpp"
 
 namespace stroma {
 namespace {
@@ -115,6 +116,7 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
 }  // namespace
 
 void check_command(const base::Communicator& communicator, const Deck& deck, base::Log& log) {
+  solver::try_lists(communicator, deck.parameters.solver);
   image::ImageSummary summary;
   const image::LabelVolume labels = read_labels(communicator, deck, summary);
   const Specimen specimen = make_specimen(communicator, deck, labels, summary);
@@ -136,11 +138,9 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
                   static_cast<long long>(specimen.particle_count),
                   static_cast<double>(specimen.particle_count) / static_cast<double>(filled)));
   log.line(format("unknowns    %lld", static_cast<long long>(balance.supports().unknowns())));
-  for (const auto& hold : balance.supports().rigid_holds())
-    log.note(format(
-        "the boundary conditions leave a rigid motion free; u_%c will be held at the node at "
-        "(%g, %g, %g) um, which has no effect on the stress",
-        "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+  log.line(format("pieces      %lld, connected through the grid",
+                  static_cast<long long>(balance.supports().pieces().count)));
+  for (const std::string& note : balance.supports().notes()) log.note(note);
   check_memory(communicator, deck, specimen, log);
   const std::string exchange = solver::describe_traffic(communicator, specimen.partition,
                                                         deck.parameters.solver.preconditioner);

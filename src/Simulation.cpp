@@ -11,6 +11,7 @@
 #include "base/Session.hpp"
 #include "solver/LoadStep.hpp"
 #include "solver/StepControl.hpp"
+#include "solver/TrialSolve.hpp"
 
 namespace stroma {
 namespace {
@@ -35,12 +36,46 @@ void describe(const base::Communicator& communicator, const Specimen& specimen,
                   base::ranks_and_threads(communicator).c_str()));
   const std::string crowded = base::oversubscription(communicator);
   if (!crowded.empty()) log.note(crowded);
-  for (const auto& hold : balance.supports().rigid_holds())
-    log.note(
-        format("the boundary conditions leave a rigid motion free; u_%c is held at the node at "
-               "(%g, %g, %g) um, which has no effect on the stress",
-               "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+  for (const std::string& note : balance.supports().notes()) log.note(note);
 }
+
+/// Begins a step; says so when the body came apart, or together, with the grid's reset.
+void begin_step(mechanics::MovingBody& body, solver::NewtonSolver& newton, double load,
+                base::Log& log) {
+  const mechanics::PiecesSummary before = body.balance().supports().pieces();
+  solver::begin_step(body, newton);
+  const mechanics::Supports& supports = body.balance().supports();
+  if (supports.pieces().count == before.count && supports.pieces().carried == before.carried)
+    return;
+  log.note(format("at load %.6g the body is in %lld pieces instead of %lld", load,
+                  static_cast<long long>(supports.pieces().count),
+                  static_cast<long long>(before.count)));
+  for (const std::string& note : supports.notes()) log.note(note);
+}
+
+/// Says, once each, what a converged step leaves to be said.
+class StepNotes {
+ public:
+  explicit StepNotes(base::Log& log) : log_(log) {}
+
+  void look_at(const solver::NewtonResult& solved) {
+    if (solved.is_limited_by_rounding && !std::exchange(has_told_of_rounding_, true))
+      log_.note(format(
+          "rounding limits the residual to %.1e of the forces; more iterations would not lower it",
+          solved.residual));
+    constexpr double noticeable = 1e-6;
+    if (!solved.is_limited_by_rounding && solved.hold_share > noticeable &&
+        !std::exchange(has_told_of_holds_, true))
+      log_.note(
+          format("the forces on the deformed body are not in balance: the nodes that hold its "
+                 "free rigid motions bear %.1e of them; a support would be better",
+                 solved.hold_share));
+  }
+
+ private:
+  base::Log& log_;
+  bool has_told_of_rounding_ = false, has_told_of_holds_ = false;
+};
 
 std::string failure(const Deck& deck, const mechanics::WorstParticle& worst, double load,
                     double next, const std::string& reason, const std::string& folder) {
@@ -65,6 +100,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   const double start = MPI_Wtime();
   const auto seconds = [&] { return MPI_Wtime() - start; };
 
+  solver::try_lists(communicator, deck.parameters.solver);
+
   // Image stack -> labels -> particles on a grid.
   std::optional<image::LabelVolume> labels;
   image::ImageSummary summary;
@@ -87,12 +124,13 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
                         iteration, residual, linear, seconds()));
       });
   solver::StepControl load(p.loading);
+  StepNotes notes(log);
   results.write({}, body.balance(), body.displacement());
 
   while (!load.finished()) {
     const double next = load.next();
     try {
-      solver::begin_step(body, newton);
+      begin_step(body, newton, load.load(), log);
     } catch (const base::RunError&) {
       results.finish(body.balance(), body.displacement(), seconds);
       throw;
@@ -111,6 +149,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
                                      rejected.what(), folder.folder()));
       }
       continue;
+    } catch (const base::RunError&) {
+      results.finish(body.balance(), body.displacement(), seconds);
+      throw;
     }
 
     // The step has converged: only now does anything change.
@@ -130,6 +171,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
                "%.0f s left",
                load.accepted(), load.load(), solved.iterations, solved.linear_iterations,
                solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
+    notes.look_at(solved);
   }
   results.finish(body.balance(), body.displacement(), seconds);
 }

@@ -64,4 +64,9 @@ void Halo::sum_to_owner(Vector& owned) const {
   owned.doExport(contributed_, *import_, Tpetra::ADD);
 }
 
+void Halo::largest_to_owner(Vector& owned) const {
+  owned.putScalar(0.0);
+  owned.doExport(contributed_, *import_, Tpetra::ABSMAX);
+}
+
 }  // namespace stroma::grid

@@ -36,6 +36,8 @@ class Halo {
 
   /// owned = sum over ranks of the contributions at touched nodes. Collective.
   void sum_to_owner(Vector& owned) const;
+  /// owned = the largest of the ranks' contributions, which must not be negative. Collective.
+  void largest_to_owner(Vector& owned) const;
 
  private:
   base::Communicator communicator_;

@@ -159,19 +159,24 @@ double stiffest_springs(const Problem& problem) {
   return stiffest;
 }
 
-NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,
-                               const particles::Particles<grid::Device>& particles) {
-  return [points, position = particles.position](const auto& visit) {
+HeldComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,
+                               const particles::Particles<grid::Device>& particles,
+                               const Pieces& pieces) {
+  return [&points, &particles, &pieces](const auto& visit) {
     const auto point = on_host(points.point);
-    const auto x = on_host(position);
-    for (std::size_t n = 0; n < point.extent(0); ++n) {
-      const BoundaryPoint& b = point(n);
-      NodeComponent held{-1, {}, 0};
-      for (int d = 0; d < 3; ++d)
-        held.position[static_cast<std::size_t>(d)] = x(b.particle, d) + b.offset[d];
-      for (held.component = 0; held.component < 3; ++held.component)
-        if (b.components >> held.component & 1) visit(held);
-    }
+    const auto begin = on_host(points.element_begin);
+    const auto x = on_host(particles.position);
+    for (std::size_t e = 0; e + 1 < begin.extent(0); ++e)
+      for (int n = begin(e); n < begin(e + 1); ++n) {
+        const BoundaryPoint& b = point(n);
+        NodeComponent held{-1, {}, 0};
+        for (int d = 0; d < 3; ++d)
+          held.position[static_cast<std::size_t>(d)] = x(b.particle, d) + b.offset[d];
+        for (held.component = 0; held.component < 3; ++held.component)
+          if (b.components >> held.component & 1)
+            visit({pieces.of_element(static_cast<std::int64_t>(e)), held, b.condition,
+                   b.displacement[held.component]});
+      }
   };
 }
 

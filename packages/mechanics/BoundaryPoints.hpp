@@ -6,7 +6,7 @@
 #include "base/Communicator.hpp"
 #include "grid/Types.hpp"
 #include "mechanics/Problem.hpp"
-#include "mechanics/RigidMotion.hpp"
+#include "mechanics/Supports.hpp"
 #include "particles/Particles.hpp"
 #include "transfer/BoundaryPoints.hpp"
 
@@ -35,9 +35,10 @@ double stiffest_modulus(const Problem& problem);
 /// of an element, the largest of all conditions [pN/um]; 0 without any.
 double stiffest_springs(const Problem& problem);
 
-/// The components that the points hold, as rigid motions see them (free_rigid_motions). The node
-/// numbers are no nodes'.
-NodeComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,
-                               const particles::Particles<grid::Device>& particles);
+/// The components that the points hold, as the statics of the pieces see them. The node numbers are
+/// no nodes'. It refers to its arguments.
+HeldComponents held_components(const transfer::BoundaryPointSet<grid::Device>& points,
+                               const particles::Particles<grid::Device>& particles,
+                               const Pieces& pieces);
 
 }  // namespace stroma::mechanics

@@ -20,9 +20,11 @@ class KernelsOf : public ShapeKernels {
     return transfer::ElementParticles<Shape, Device>::fictitious_points;
   }
   void touch(const Points& points, const Kokkos::View<const std::uint8_t*, Device>& chosen,
-             bool with_fictitious_points, const NodeView& count) const override {
+             bool with_fictitious_points, const NodeView& count,
+             const transfer::TouchedNodes<Device>& by_particles) const override {
     launch("touch", points,
-           transfer::Touch<Shape, Device>{{points}, chosen, with_fictitious_points, count});
+           transfer::Touch<Shape, Device>{
+               {points}, chosen, with_fictitious_points, count, by_particles});
   }
   std::int64_t internal_force(const Points& points, const Laws& laws,
                               const NodeView& force) const override {

@@ -12,6 +12,7 @@
 #include "grid/ShapeGrid.hpp"
 #include "grid/ToDevice.hpp"
 #include "mechanics/BoundaryPoints.hpp"
+#include "mechanics/Scales.hpp"
 #include "particles/Migration.hpp"
 #include "particles/Seeding.hpp"
 #include "particles/UndeformedPositions.hpp"
@@ -94,7 +95,7 @@ transfer::ForceAtParticles<grid::Device> body_force_at(
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const grid::Partition& partition,
                                  const particles::Particles<Device>& particles,
-                                 const Problem& problem, double base_load)
+                                 const Problem& problem, double base_load, bool is_refused_if_loose)
     : communicator_(communicator),
       problem_(problem),
       kernels_(kernels_for(problem.shape_functions, partition.grid().flat)),
@@ -110,21 +111,15 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       base_load_(base_load),
       load_(base_load) {
   check_shape_functions(problem, partition.grid());
+  check_scales(problem);
   typical_diagonal_ =
       stiffest_modulus(problem) * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
   if (problem.stabilization > 0.0) find_fictitious_points(problem.stabilization);
 
-  std::vector<Supports::NodeCounts> grips(problem.conditions.size());
-  for (std::size_t m = 0; m < grips.size(); ++m) {
-    const BoundaryCondition& condition = problem.conditions[m].second;
-    if (problem.imposed_by(condition) == ImposedBy::grip)
-      grips[m] = elements_around(grip(particles_, problem.body, *condition.face), false);
-  }
   boundary_ = boundary_points(communicator, problem, particles_);
   stiffest_diagonal_ = std::max(typical_diagonal_, stiffest_springs(problem));
-  supports_ = std::make_unique<Supports>(halo_, problem, base_load, elements_around({}, true),
-                                         grips, held_components(boundary_, particles_));
   if (!problem.forces.empty() || problem.body_force) find_external_force(problem);
+  find_supports(problem, base_load, is_refused_if_loose);
 }
 
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
@@ -134,10 +129,82 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     : MomentumBalance(communicator, partition, particles,
                       Problem{partition.grid(), laws, conditions, {}, {}, {}}) {}
 
+void MomentumBalance::find_supports(const Problem& problem, double base_load,
+                                    bool is_refused_if_loose) {
+  std::vector<Supports::NodeCounts> grips(problem.conditions.size());
+  for (std::size_t m = 0; m < grips.size(); ++m) {
+    const BoundaryCondition& condition = problem.conditions[m].second;
+    if (problem.imposed_by(condition) == ImposedBy::grip)
+      grips[m] = elements_around(grip(particles_, problem.body, *condition.face), false);
+  }
+  const int width = halo_.partition().grid().width;
+  const transfer::TouchedNodes<Device> touched(
+      "touched nodes", particles_.element_begin.extent(0) - 1, (width * width * width + 63) / 64);
+  const auto filled_around = elements_around({}, true, touched);
+  const Pieces pieces(halo_, box_, touched);
+  BodyStatics statics(halo_, pieces, problem.body);
+  sum_up(pieces, statics);
+  supports_ = std::make_unique<Supports>(
+      halo_, problem, base_load,
+      SupportedBody{filled_around, grips, pieces, held_components(boundary_, particles_, pieces),
+                    is_refused_if_loose},
+      statics);
+}
+
+/// Elements, loads and stresses of the pieces.
+void MomentumBalance::sum_up(const Pieces& pieces, BodyStatics& statics) const {
+  const auto begin =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.element_begin);
+  for (int k = 0; k < box_.elements[2]; ++k)
+    for (int j = 0; j < box_.elements[1]; ++j)
+      for (int i = 0; i < box_.elements[0]; ++i) {
+        const int e = box_.element(i, j, k);
+        if (pieces.of_element(e) == Pieces::none) continue;
+        const int index[3] = {i, j, k};
+        std::array<double, 3> lower, upper;
+        for (int d = 0; d < 3; ++d) {
+          const auto c = static_cast<std::size_t>(d);
+          box_.within_ends(d, index[d], lower[c], upper[c]);
+          for (double* end : {&lower[c], &upper[c]})
+            *end = box_.corner[d] + (index[d] + *end) * box_.spacing[d];
+        }
+        statics.add_element(pieces.of_element(e), begin(e + 1) - begin(e), lower, upper);
+      }
+
+  const grid::Box owned = halo_.partition().owned_nodes(communicator_.rank());
+  const grid::Box touched = halo_.partition().touched_nodes(communicator_.rank());
+  const auto for_each_force = [&](const grid::Vector& force, const auto& use) {
+    const auto value = force.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::int64_t n = 0; n < owned.count(); ++n) {
+      const grid::Index3 node = owned.index(n);
+      const int piece = pieces.of_node(touched.local(node));
+      if (piece == Pieces::none) continue;
+      use(piece, halo_.partition().grid().node_position(node),
+          std::array<double, 3>{value(3 * n, 0), value(3 * n + 1, 0), value(3 * n + 2, 0)});
+    }
+  };
+  if (external_force_ != Teuchos::null)
+    for_each_force(*external_force_, [&](int piece, const auto& position, const auto& force) {
+      statics.add_load(piece, position, force);
+    });
+  if (particles_.base_gradient.extent(0) == 0) return;
+  grid::Vector stress(halo_.owned_map());
+  internal_force(grid::Vector(halo_.owned_map()), stress);
+  // Rounding strains a piece that was carried along, too.
+  const double negligible =
+      1e-12 * typical_diagonal_ * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
+  for_each_force(stress, [&](int piece, const auto&, const auto& force) {
+    const double size = std::hypot(force[0], force[1], force[2]);
+    if (size > negligible) statics.add_stress(piece, size);
+  });
+}
+
 Supports::NodeCounts MomentumBalance::elements_around(
-    const Kokkos::View<const std::uint8_t*, Device>& chosen, bool with_fictitious_points) const {
+    const Kokkos::View<const std::uint8_t*, Device>& chosen, bool with_fictitious_points,
+    const transfer::TouchedNodes<Device>& by_particles) const {
   const grid::Vector at_rest(halo_.owned_map());
-  kernels_->touch(points(at_rest), chosen, with_fictitious_points, halo_.contributions());
+  kernels_->touch(points(at_rest), chosen, with_fictitious_points, halo_.contributions(),
+                  by_particles);
   grid::Vector owned(halo_.owned_map());
   halo_.sum_to_owner(owned);
   const grid::ConstNodeView everywhere = halo_.gather(owned);
@@ -295,7 +362,7 @@ std::unique_ptr<MomentumBalance> MomentumBalance::with_hats(const grid::Partitio
   auto hats = std::make_unique<MomentumBalance>(
       communicator_, lattice,
       has_other_elements ? particles::migrate(communicator_, lattice, particles_) : particles_,
-      problem, base_load_);
+      problem, base_load_, false);
   hats->boundary_.lumped = true;
   return hats;
 }
@@ -446,6 +513,21 @@ std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field
       visit(first, fields);
     }
   };
+}
+
+double MomentumBalance::largest_strain(const grid::Vector& u) const {
+  const auto material =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.material);
+  double largest = 0.0;
+  field_layers(u)([&](int first, const transfer::ParticleFields<Device>& fields) {
+    const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
+    for (std::size_t p = 0; p < stress.extent(0); ++p) {
+      const Law& law = problem_.laws[material(static_cast<std::size_t>(first) + p)];
+      const double modulus = law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus;
+      for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(stress(p, c)) / modulus);
+    }
+  });
+  return communicator_.max(largest);
 }
 
 WorstParticle MomentumBalance::worst_particle(const grid::Vector& u) const {

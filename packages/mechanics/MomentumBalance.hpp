@@ -52,11 +52,12 @@ class MomentumBalance {
   using Device = grid::Device;
   using Law = material::NeoHookean;
 
-  /// \param base_load  load factor at the base configuration
+  /// \param base_load            load factor at the base configuration
+  /// \param is_refused_if_loose  whether the loads must be held (SupportedBody)
   /// \throws base::InputError  see Supports
   MomentumBalance(const base::Communicator& communicator, const grid::Partition& partition,
                   const particles::Particles<Device>& particles, const Problem& problem,
-                  double base_load = 0.0);
+                  double base_load = 0.0, bool is_refused_if_loose = true);
   /// A body without external forces on a grid that is not reset.
   MomentumBalance(const base::Communicator& communicator, const grid::Partition& partition,
                   const particles::Particles<Device>& particles, const std::vector<Law>& laws,
@@ -67,6 +68,7 @@ class MomentumBalance {
   const grid::RCP<const grid::Map>& owned_map() const { return halo_.owned_map(); }
   const grid::Halo& halo() const { return halo_; }
   const Supports& supports() const { return *supports_; }
+  const Problem& problem() const { return problem_; }
   const particles::Particles<Device>& particles() const { return particles_; }
   /// (local element of a partition) whether the element holds a particle. The partition is that of
   /// the grid, or of the lattice under it. Collective.
@@ -142,6 +144,9 @@ class MomentumBalance {
   using FieldVisitor = std::function<void(int, const transfer::ParticleFields<Device>&)>;
   std::function<void(const FieldVisitor&)> field_layers(const grid::Vector& u) const;
   WorstParticle worst_particle(const grid::Vector& u) const;
+  /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
+  /// much the body is strained where it is strained most. Rounding makes 1e-15 of a body at rest.
+  double largest_strain(const grid::Vector& u) const;
 
  private:
   using Points = transfer::PointSet<Device>;
@@ -149,8 +154,11 @@ class MomentumBalance {
   void find_fictitious_points(double stabilization);
   /// (touched node) the elements around it, of any rank, in which a chosen particle, or a
   /// fictitious point, touches it.
-  Supports::NodeCounts elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
-                                       bool with_fictitious_points) const;
+  Supports::NodeCounts elements_around(
+      const Kokkos::View<const std::uint8_t*, Device>& chosen, bool with_fictitious_points,
+      const transfer::TouchedNodes<Device>& by_particles = {}) const;
+  void find_supports(const Problem& problem, double base_load, bool is_refused_if_loose);
+  void sum_up(const Pieces& pieces, BodyStatics& statics) const;
   void find_external_force(const Problem& problem);
   /// Calls use(boundary point, its gap [um]) for each of this rank's, on the host.
   template <class Use>

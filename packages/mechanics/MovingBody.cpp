@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/Error.hpp"
+#include "base/Log.hpp"
 #include "base/Stage.hpp"
 #include "grid/ShapeGrid.hpp"
 #include "particles/Migration.hpp"
@@ -73,8 +74,10 @@ void MovingBody::reset_grid() {
   try {
     balance_ = std::make_unique<MomentumBalance>(communicator_, partition, moved, problem_, load_);
   } catch (const base::InputError& error) {
-    // The conditions were fine in the undeformed body: the motion has brought them into conflict.
-    throw base::RunError(error.what());
+    // The conditions were fine in the undeformed body: the motion has brought them into conflict,
+    // or torn the body apart..
+    throw base::RunError(
+        base::format("when the grid was reset at load %.6g: %s", load_, error.what()));
   }
   displacement_ = std::make_unique<grid::Vector>(balance_->owned_map());
   previous_.reset();

@@ -1,42 +1,15 @@
 #include "mechanics/RigidMotion.hpp"
 
-#include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include "base/Error.hpp"
-
 namespace stroma::mechanics {
 namespace {
 
-using Mode = std::array<double, 6>;  // of three translations and three rotations
-
-double dot(const Mode& a, const Mode& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-/// A frame in which rotations about the centre move the body's ends by about 1.
-struct Frame {
-  std::array<double, 3> centre{};
-  double length = 1.0;
-
-  /// How much each rigid motion moves one component of one node.
-  Mode motion(const NodeComponent& at) const {
-    std::array<double, 3> r;
-    for (std::size_t d = 0; d < 3; ++d) r[d] = (at.position[d] - centre[d]) / length;
-    Mode m{};
-    const auto c = static_cast<std::size_t>(at.component);
-    m[c] = 1.0;
-    // (e_axis x r)_c for the two axes other than c
-    m[3 + (c + 1) % 3] = r[(c + 2) % 3];
-    m[3 + (c + 2) % 3] = -r[(c + 1) % 3];
-    return m;
-  }
-};
+using Mode = RigidMode;
+using Frame = RigidFrame;
 
 Frame frame_of(const base::Communicator& communicator, const NodeComponents& a,
                const NodeComponents& b) {
@@ -64,27 +37,10 @@ Frame frame_of(const base::Communicator& communicator, const NodeComponents& a,
 /// Orthonormal basis of the motions that the prescribed components leave free.
 std::vector<Mode> null_space(const base::Communicator& communicator, const Frame& frame,
                              const NodeComponents& prescribed) {
-  double gram[36] = {};
-  prescribed([&](const NodeComponent& at) {
-    const Mode m = frame.motion(at);
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t j = 0; j < 6; ++j) gram[6 * i + j] += m[i] * m[j];
-  });
-  communicator.sum_all(gram, 36);
-  double trace = 0.0;
-  for (int i = 0; i < 6; ++i) trace += gram[7 * i];
-  double eigenvalue[6], work[64];
-  int info = 0;
-  Teuchos::LAPACK<int, double>().SYEV('V', 'U', 6, gram, 6, eigenvalue, work, 64, &info);
-  if (info != 0) throw base::RunError("eigenvalues of the rigid motions: LAPACK dsyev failed");
-  std::vector<Mode> basis;
-  for (int v = 0; v < 6; ++v) {
-    if (eigenvalue[v] > 1e-10 * trace) continue;
-    Mode mode;
-    for (std::size_t i = 0; i < 6; ++i) mode[i] = gram[6 * v + static_cast<int>(i)];
-    basis.push_back(mode);
-  }
-  return basis;
+  RigidGram gram{};
+  prescribed([&](const NodeComponent& at) { add_product(gram, frame.motion(at)); });
+  communicator.sum_all(gram.data(), gram.size());
+  return HeldMotions(gram).free();
 }
 
 /// Removes from an orthonormal basis the direction that holding motion m takes away.

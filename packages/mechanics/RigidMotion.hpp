@@ -3,21 +3,13 @@
 /// \file
 /// Finds the rigid motions that the boundary conditions leave free, and holds them.
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "base/Communicator.hpp"
+#include "mechanics/RigidModes.hpp"
 
 namespace stroma::mechanics {
-
-/// One displacement component of a node of this rank.
-struct NodeComponent {
-  std::int64_t node;               ///< number of the node, the same on all ranks
-  std::array<double, 3> position;  ///< [um]
-  int component;
-};
 
 /// A set of components of this rank's nodes: calls the visitor for each. No list is ever stored.
 using NodeComponents = std::function<void(const std::function<void(const NodeComponent&)>& visit)>;

@@ -14,6 +14,7 @@
 #include "transfer/GridToParticles.hpp"
 #include "transfer/StencilRows.hpp"
 #include "transfer/Tangent.hpp"
+#include "transfer/Touch.hpp"
 
 namespace stroma::mechanics {
 
@@ -37,7 +38,8 @@ class ShapeKernels {
   virtual int fictitious_points() const = 0;
   /// transfer::Touch; count is added to.
   virtual void touch(const Points& points, const Kokkos::View<const std::uint8_t*, Device>& chosen,
-                     bool with_fictitious_points, const NodeView& count) const = 0;
+                     bool with_fictitious_points, const NodeView& count,
+                     const transfer::TouchedNodes<Device>& by_particles) const = 0;
 
   /// transfer::InternalForce; force is added to.
   virtual std::int64_t internal_force(const Points& points, const Laws& laws,

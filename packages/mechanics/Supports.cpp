@@ -50,13 +50,50 @@ void check_condition(const Problem& problem, const std::string& name,
 }  // namespace
 
 Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_load,
-                   const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped,
-                   const NodeComponents& held_otherwise)
+                   const SupportedBody& body, BodyStatics& statics)
     : halo_(&halo),
       conditions_(static_cast<int>(problem.conditions.size())),
       base_load_(base_load) {
   const auto& communicator = halo.communicator();
-  const grid::Partition& partition = halo.partition();
+  const grid::Box owned = halo.partition().owned_nodes(communicator.rank());
+  held_owned_.assign(static_cast<std::size_t>(owned.count()), 0);
+  prescribe_faces(problem, body);
+
+  for (const Prescribed& p : prescribed_) {
+    const int piece = piece_of(body.pieces, p.unknown);
+    if (piece != Pieces::none)
+      statics.add_held({piece, component(p.unknown), p.condition, p.value});
+  }
+  body.held_otherwise([&](const HeldComponent& held) { statics.add_held(held); });
+  statics.complete();
+  if (body.is_refused_if_loose) {
+    std::vector<std::string> names;
+    for (const auto& named : problem.conditions) names.push_back(named.first);
+    statics.refuse_what_moves(names, base_load == 0.0);
+  }
+  pieces_ = statics.summary();
+  carry_idle_pieces(body, statics);
+  hold_free_motions(body, statics.free_pieces(), problem.reset);
+  mark_held();
+  held_owned_ = {};
+}
+
+NodeComponent Supports::component(int unknown) const {
+  const grid::Partition& partition = halo_->partition();
+  const grid::Index3 node = partition.owned_nodes(halo_->communicator().rank()).index(unknown / 3);
+  return {partition.node_number(node), partition.grid().node_position(node), unknown % 3};
+}
+
+int Supports::piece_of(const Pieces& pieces, int unknown) const {
+  const grid::Partition& partition = halo_->partition();
+  const int rank = halo_->communicator().rank();
+  return pieces.of_node(
+      partition.touched_nodes(rank).local(partition.owned_nodes(rank).index(unknown / 3)));
+}
+
+void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supported) {
+  const auto& communicator = halo_->communicator();
+  const grid::Partition& partition = halo_->partition();
   const grid::Grid& grid = partition.grid();
   const grid::Grid& body = problem.body;
   const NamedConditions& conditions = problem.conditions;
@@ -65,15 +102,13 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
   const auto host = [](const NodeCounts& counts) {
     return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), counts);
   };
-  const auto filled = host(filled_around);
+  const auto filled = host(supported.filled_around);
   std::vector<NodeCounts::HostMirror> in_grip;
-  for (const NodeCounts& grip : gripped) in_grip.push_back(host(grip));
+  for (const NodeCounts& grip : supported.gripped) in_grip.push_back(host(grip));
   const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
   const double negligible = 1e-12 * *std::max_element(length.begin(), length.end());
 
-  std::vector<std::uint8_t> held_owned(static_cast<std::size_t>(owned.count()), 0);
   std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
-  std::int64_t active_nodes = 0;
   const auto name_of = [&](int m) { return conditions[static_cast<std::size_t>(m)].first; };
   base::collectively(communicator, [&] {
     for (const auto& [name, condition] : conditions) check_condition(problem, name, condition);
@@ -82,7 +117,7 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
       const auto x = grid.node_position(node);
       const std::int64_t t = touched.local(node);
       const bool node_is_active = filled(t) != 0;
-      active_nodes += node_is_active ? 1 : 0;
+      active_nodes_ += node_is_active ? 1 : 0;
       for (int c = 0; c < 3; ++c) {
         int by = node_is_active ? conditions_ : static_cast<int>(untouched);
         double value = 0.0;
@@ -95,7 +130,7 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
                                    : lies_on(*condition.face, x, body);
           if (!applies) continue;
           ++nodes_of_condition[static_cast<std::size_t>(m)];
-          const auto X = condition.carried_from(x, base_load, body.origin, length);
+          const auto X = condition.carried_from(x, base_load_, body.origin, length);
           const double wanted = condition.value(c, X, body.origin, length);
           if (by == conditions_) {
             by = m;
@@ -110,7 +145,7 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
             throw base::InputError(conflict(name_of(by), "", c, x, value, 0.0));
         }
         if (by == conditions_) continue;
-        held_owned[n] = static_cast<std::uint8_t>(held_owned[n] | 1u << c);
+        held_owned_[n] = static_cast<std::uint8_t>(held_owned_[n] | 1u << c);
         prescribed_.push_back({static_cast<int>(3 * n) + c, by, value});
       }
     });
@@ -119,40 +154,78 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
     if (problem.imposed_by(conditions[m].second) != ImposedBy::penalty &&
         communicator.sum(nodes_of_condition[m]) == 0)
       throw base::InputError(no_particle_near(conditions[m].first));
+}
 
-  // Nodes deep in the body can hold a rigid motion; one that the body barely touches cannot.
-  std::uint8_t most_filled = 0;
-  for (std::size_t t = 0; t < filled.extent(0); ++t) most_filled = std::max(most_filled, filled(t));
-  most_filled = communicator.max(most_filled);
-  const auto can_hold = [&](std::int64_t n) {
-    const std::uint8_t around = filled(touched.local(owned.index(n)));
-    return problem.reset ? around == most_filled : around > 0;
-  };
-  const auto component = [&](std::int64_t n, int c) {
-    const grid::Index3 node = owned.index(n);
-    return NodeComponent{partition.node_number(node), grid.node_position(node), c};
-  };
-  rigid_holds_ = free_rigid_motions(
-      communicator,
-      [&](const auto& visit) {
-        for (const Prescribed& p : prescribed_)
-          if (p.condition != untouched) visit(component(p.unknown / 3, p.unknown % 3));
-        if (held_otherwise) held_otherwise(visit);
-      },
-      [&](const auto& visit) {
-        for (std::int64_t n = 0; n < owned.count(); ++n)
-          for (int c = 0; c < 3; ++c)
-            if (!(held_owned[static_cast<std::size_t>(n)] >> c & 1) && can_hold(n))
-              visit(component(n, c));
-      });
-  for (const NodeComponent& hold : rigid_holds_) {
-    const std::int64_t n = hold.node - partition.first_node(communicator.rank());
-    if (n < 0 || n >= owned.count()) continue;
-    prescribed_.push_back({static_cast<int>(3 * n) + hold.component, rigid_motion, 0.0});
+void Supports::carry_idle_pieces(const SupportedBody& body, const BodyStatics& statics) {
+  if (pieces_.carried == 0) return;
+  for (std::size_t n = 0; n < held_owned_.size(); ++n) {
+    const int piece = piece_of(body.pieces, static_cast<int>(3 * n));
+    if (piece == Pieces::none || !statics.is_carried(piece)) continue;
+    for (int c = 0; c < 3; ++c)
+      if (!(held_owned_[n] >> c & 1))
+        prescribed_.push_back({static_cast<int>(3 * n) + c, carried,
+                               statics.translation(piece)[static_cast<std::size_t>(c)]});
+    held_owned_[n] = 7;
   }
+}
 
+void Supports::hold_free_motions(const SupportedBody& body,
+                                 const std::vector<std::int64_t>& free_pieces,
+                                 bool only_deep_nodes) {
+  if (free_pieces.empty()) return;
+  const auto& communicator = halo_->communicator();
+  const grid::Partition& partition = halo_->partition();
+  const grid::Box owned = partition.owned_nodes(communicator.rank());
+  const grid::Box touched = partition.touched_nodes(communicator.rank());
+  const auto filled = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body.filled_around);
+
+  std::vector<std::vector<int>> nodes(static_cast<std::size_t>(body.pieces.count()));  // of pieces
+  for (std::size_t n = 0; n < held_owned_.size(); ++n) {
+    const int piece = piece_of(body.pieces, static_cast<int>(3 * n));
+    if (piece != Pieces::none)
+      nodes[static_cast<std::size_t>(piece)].push_back(static_cast<int>(n));
+  }
+  const std::vector<int> no_nodes;
+  for (const std::int64_t label : free_pieces) {
+    const int piece = body.pieces.find(label);
+    const std::vector<int>& own =
+        piece == Pieces::none ? no_nodes : nodes[static_cast<std::size_t>(piece)];
+    const auto filled_around = [&](int n) { return filled(touched.local(owned.index(n))); };
+    // Nodes deep in the body can hold a rigid motion; one that the body barely touches cannot.
+    std::uint8_t least = 1;
+    if (only_deep_nodes) {
+      for (const int n : own) least = std::max(least, filled_around(n));
+      least = communicator.max(least);
+    }
+    const auto visit_if = [&](bool is_held, std::uint8_t filled_at_least, const auto& visit) {
+      for (const int n : own)
+        for (int c = 0; c < 3; ++c)
+          if ((held_owned_[static_cast<std::size_t>(n)] >> c & 1) == (is_held ? 1 : 0) &&
+              filled_around(n) >= filled_at_least)
+            visit(component(3 * n + c));
+    };
+    const std::vector<NodeComponent> holds = free_rigid_motions(
+        communicator,
+        [&](const auto& visit) {
+          visit_if(true, 1, visit);
+          body.held_otherwise([&](const HeldComponent& held) {
+            if (held.piece == piece) visit(held.at);
+          });
+        },
+        [&](const auto& visit) { visit_if(false, least, visit); });
+    for (const NodeComponent& hold : holds) {
+      rigid_holds_.push_back(hold);
+      const std::int64_t n = hold.node - partition.first_node(communicator.rank());
+      if (n < 0 || n >= owned.count()) continue;
+      prescribed_.push_back({static_cast<int>(3 * n) + hold.component, rigid_motion, 0.0});
+    }
+  }
+}
+
+/// Lets ranks know what is held at the nodes that they touch, and counts what is not.
+void Supports::mark_held() {
   std::int64_t held_of_active = 0;
-  grid::Vector bits(halo.owned_map());
+  grid::Vector bits(halo_->owned_map());
   {
     const auto bit = Kokkos::create_mirror_view(grid::node_view(bits));
     Kokkos::deep_copy(bit, 0.0);
@@ -162,16 +235,42 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
     }
     Kokkos::deep_copy(grid::node_view(bits), bit);
   }
-  unknowns_ = communicator.sum(3 * active_nodes - held_of_active);
+  unknowns_ = halo_->communicator().sum(3 * active_nodes_ - held_of_active);
 
   const auto touched_bits =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo.gather(bits));
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo_->gather(bits));
   held_ = Kokkos::View<std::uint8_t*, Device>("held", touched_bits.extent(0));
   const auto held = Kokkos::create_mirror_view(held_);
   for (std::size_t n = 0; n < touched_bits.extent(0); ++n)
     for (int c = 0; c < 3; ++c)
       if (touched_bits(n, c) != 0.0) held(n) = static_cast<std::uint8_t>(held(n) | 1u << c);
   Kokkos::deep_copy(held_, held);
+}
+
+std::vector<std::string> Supports::notes() const {
+  constexpr std::size_t most_listed = 6;
+  std::vector<std::string> notes;
+  for (std::size_t n = 0; n < std::min(rigid_holds_.size(), most_listed); ++n) {
+    const NodeComponent& hold = rigid_holds_[n];
+    notes.push_back(
+        base::format("the boundary conditions leave a rigid motion free; u_%c is held at the node "
+                     "at (%g, %g, %g) um, which has no effect on the stress",
+                     "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+  }
+  if (rigid_holds_.size() > most_listed)
+    notes.push_back(base::format("and so are %zu more components of other pieces of the body",
+                                 rigid_holds_.size() - most_listed));
+  if (pieces_.carried > 0)
+    notes.push_back(base::format(
+        "%lld of the body's %lld pieces (which share no node of the grid) carry no load: %.3g %% "
+        "of its particles, in %lld elements. They stay where they are, or move with the condition "
+        "that holds them, without stress, and leave the system; the rest does not feel it. The "
+        "largest: %s",
+        static_cast<long long>(pieces_.carried), static_cast<long long>(pieces_.count),
+        100.0 * static_cast<double>(pieces_.carried_particles) /
+            static_cast<double>(pieces_.particles),
+        static_cast<long long>(pieces_.carried_elements), pieces_.largest_carried.c_str()));
+  return notes;
 }
 
 void Supports::impose(double load, grid::Vector& u) const {
@@ -191,12 +290,22 @@ void Supports::clear(grid::Vector& v) const {
   for (const Prescribed& p : prescribed_) values(p.unknown, 0) = 0.0;
 }
 
-double Supports::reaction_norm(const grid::Vector& unbalanced_force) const {
+template <class Condition>
+double Supports::norm_where(const grid::Vector& unbalanced_force, const Condition& is_one) const {
   const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);
   double sum = 0.0;
   for (const Prescribed& p : prescribed_)
-    if (p.condition >= 0) sum += force(p.unknown, 0) * force(p.unknown, 0);
+    if (is_one(p.condition)) sum += force(p.unknown, 0) * force(p.unknown, 0);
   return std::sqrt(halo_->communicator().sum(sum));
+}
+
+double Supports::reaction_norm(const grid::Vector& unbalanced_force) const {
+  return norm_where(unbalanced_force, [](int condition) { return condition >= 0; });
+}
+
+double Supports::hold_norm(const grid::Vector& unbalanced_force) const {
+  if (rigid_holds_.empty()) return 0.0;
+  return norm_where(unbalanced_force, [](int condition) { return condition == rigid_motion; });
 }
 
 std::vector<std::array<double, 3>> Supports::reactions(const grid::Vector& unbalanced_force) const {

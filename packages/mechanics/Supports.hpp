@@ -8,35 +8,49 @@
 #include <vector>
 
 #include "grid/Halo.hpp"
+#include "mechanics/BodyStatics.hpp"
 #include "mechanics/Problem.hpp"
 #include "mechanics/RigidMotion.hpp"
 
 namespace stroma::mechanics {
 
+/// Calls the visitor for each component that conditions hold by other means than nodes.
+using HeldComponents = std::function<void(const std::function<void(const HeldComponent&)>& visit)>;
+
+/// What Supports must know of the body on its grid.
+struct SupportedBody {
+  using NodeCounts = Kokkos::View<std::uint8_t*, grid::Device>;
+
+  /// (touched node) elements around it that hold particles, of any rank; 0: no particle touches it
+  NodeCounts filled_around;
+  /// (condition)(touched node) the same, counting only elements that hold particles of the
+  /// condition's grip; read for ImposedBy::grip only
+  std::vector<NodeCounts> gripped;
+  const Pieces& pieces;
+  HeldComponents held_otherwise;
+  /// Whether a body that nothing holds against its loads is refused; else it is held all the same.
+  bool is_refused_if_loose = true;
+};
+
 /// All prescribed components of this rank's owned nodes: those of the face conditions (but for
 /// those imposed by penalty, which prescribe nothing: see BoundaryPoints.hpp); u_z
-/// everywhere in plane strain; the nodes that no particle touches, which leave the system; and the
-/// few that hold a free rigid motion.
+/// everywhere in plane strain; the nodes that no particle touches, and those of pieces that nothing
+/// strains (BodyStatics), which leave the system; and the few that hold a free rigid motion.
 ///
 /// Displacements are those since the base configuration, at which the load factor was base_load: of
 /// a condition that moves a point X by load u(X), (load - base_load) u(X).
 class Supports {
  public:
   using Device = grid::Device;
-  using NodeCounts = Kokkos::View<std::uint8_t*, Device>;
+  using NodeCounts = SupportedBody::NodeCounts;
 
   /// Collective.
-  /// \param filled_around  (touched node) elements around it that hold particles, of any rank; 0:
-  ///                       no particle touches it
-  /// \param gripped        (condition)(touched node) the same, counting only elements that hold
-  ///                       particles of the condition's grip; read for ImposedBy::grip only
-  /// \param held_otherwise  components that conditions hold by other means, against rigid motion
+  /// \param statics  knows of the body's elements and loads; gets to know what is held
   /// \throws base::InputError when two conditions prescribe one component differently, when a
-  ///         condition's face has no particle near it, or when a condition cannot be followed by a
-  ///         grid that is reset
+  ///         condition's face has no particle near it, when a condition cannot be followed by a
+  ///         grid that is reset, or when loads move what nothing holds (BodyStatics)
   Supports(const grid::Halo& halo, const Problem& problem, double base_load,
-           const NodeCounts& filled_around, const std::vector<NodeCounts>& gripped,
-           const NodeComponents& held_otherwise = {});
+           const SupportedBody& body, BodyStatics& statics);
 
   /// (touched node) bit c: component c is prescribed.
   const Kokkos::View<std::uint8_t*, Device>& held() const { return held_; }
@@ -51,6 +65,9 @@ class Supports {
   /// of face conditions [pN]. Collective.
   double reaction_norm(const grid::Vector& unbalanced_force) const;
 
+  /// The same at the components that hold a free rigid motion [pN]; 0 without any. Collective.
+  double hold_norm(const grid::Vector& unbalanced_force) const;
+
   /// Force of each condition's prescribed nodes on the body [pN]: the sum of the unbalanced forces
   /// at its prescribed components; 0 of a condition imposed by penalty. A component that two
   /// conditions prescribe counts for the first. Collective.
@@ -58,6 +75,10 @@ class Supports {
 
   /// Components held against free rigid motion.
   const std::vector<NodeComponent>& rigid_holds() const { return rigid_holds_; }
+  /// The pieces of the body, and those that left the system.
+  const PiecesSummary& pieces() const { return pieces_; }
+  /// What the user should know of both, in a sentence each.
+  std::vector<std::string> notes() const;
   /// Unknowns of the whole problem: components of active nodes that are not prescribed.
   std::int64_t unknowns() const { return unknowns_; }
 
@@ -67,13 +88,26 @@ class Supports {
     int condition;  ///< index, or one of the reasons below
     double value;   ///< displacement per load factor [um]
   };
-  enum Reason { plane_strain = -1, untouched = -2, rigid_motion = -3 };
+  enum Reason { plane_strain = -1, untouched = -2, rigid_motion = -3, carried = -4 };
+
+  template <class Condition>
+  double norm_where(const grid::Vector& unbalanced_force, const Condition& is_one) const;
+  void prescribe_faces(const Problem& problem, const SupportedBody& body);
+  void carry_idle_pieces(const SupportedBody& body, const BodyStatics& statics);
+  void hold_free_motions(const SupportedBody& body, const std::vector<std::int64_t>& free_pieces,
+                         bool only_deep_nodes);
+  void mark_held();
+  NodeComponent component(int unknown) const;
+  int piece_of(const Pieces& pieces, int unknown) const;
 
   grid::Halo const* halo_;
   int conditions_;
   double base_load_;
   std::vector<Prescribed> prescribed_;
+  std::vector<std::uint8_t> held_owned_;  // (owned node) bits as in held_
   std::vector<NodeComponent> rigid_holds_;
+  PiecesSummary pieces_;
+  std::int64_t active_nodes_ = 0;
   Kokkos::View<std::uint8_t*, Device> held_;
   std::int64_t unknowns_ = 0;
 };

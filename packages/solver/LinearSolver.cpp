@@ -104,8 +104,8 @@ LinearResult LinearSolver::run_belos(const Preconditioner& preconditioner,
   LinearResult result;
   try {
     result.converged = manager.solve() == Belos::Converged;
-  } catch (const std::exception&) {
-    // Belos throws the same way on all ranks: on p.Kp <= 0, and on a residual that is not a number.
+  } catch (const Belos::BelosError&) {
+    // Thrown the same way on all ranks: on p.Kp <= 0, and on a residual that is not a number.
     total_iterations_ += manager.getNumIters();
     result.indefinite = true;
     return result;

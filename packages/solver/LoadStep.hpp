@@ -10,7 +10,8 @@ namespace stroma::solver {
 
 /// Makes the body's accepted displacement the start of the next step, and lets the solver follow
 /// when the grid was reset. Collective.
-/// \throws base::RunError when the new configuration cannot be computed with
+/// \throws base::RunError when the new configuration cannot be computed with, or a package of
+///         Trilinos gives up
 void begin_step(mechanics::MovingBody& body, NewtonSolver& newton);
 
 /// Solves for the displacement since the base at a load factor. The start goes on as the last step
@@ -19,6 +20,7 @@ void begin_step(mechanics::MovingBody& body, NewtonSolver& newton);
 ///
 /// \param trial  the result; after a failure the last iterate
 /// \throws base::StepRejected  see NewtonSolver::solve
+/// \throws base::RunError when a package of Trilinos gives up
 NewtonResult solve_step(mechanics::MovingBody& body, NewtonSolver& newton, double load,
                         grid::Vector& trial);
 

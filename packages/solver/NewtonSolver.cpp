@@ -6,6 +6,7 @@
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/Error.hpp"
 #include "base/Log.hpp"
@@ -16,24 +17,23 @@ namespace {
 using Extract = Thyra::TpetraOperatorVectorExtraction<double, grid::LocalOrdinal,
                                                       grid::GlobalOrdinal, grid::Map::node_type>;
 
-/// Converged when ||F|| <= tolerance * the largest force, which grows as iterates are seen.
-class RelativeToForce : public NOX::StatusTest::Generic {
+/// Converged when a function of the iterate says so. Called once for each iterate.
+class Converged : public NOX::StatusTest::Generic {
  public:
-  RelativeToForce(double tolerance, std::function<double(const NOX::Abstract::Group&)> measure)
-      : tolerance_(tolerance), measure_(std::move(measure)) {}
+  explicit Converged(std::function<bool(const NOX::Abstract::Group&)> is_good)
+      : is_good_(std::move(is_good)) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& problem,
                                           NOX::StatusTest::CheckType) override {
-    status_ = measure_(problem.getSolutionGroup()) <= tolerance_ ? NOX::StatusTest::Converged
-                                                                 : NOX::StatusTest::Unconverged;
+    status_ = is_good_(problem.getSolutionGroup()) ? NOX::StatusTest::Converged
+                                                   : NOX::StatusTest::Unconverged;
     return status_;
   }
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int) const override { return stream; }
 
  private:
-  double tolerance_;
-  std::function<double(const NOX::Abstract::Group&)> measure_;
+  std::function<bool(const NOX::Abstract::Group&)> is_good_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
@@ -77,12 +77,10 @@ void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
 /// than its nonlinear one, which Newton's quadratic order tells from the last steps, nor than what
 /// convergence asks for. A digit costs a good preconditioner little more than one iteration and
 /// another Newton step an assembly, so that in doubt the step is solved better.
-void NewtonSolver::choose_forcing() {
+void NewtonSolver::choose_forcing(double now) {
+  const double before = std::exchange(last_relative_, now);
   if (parameters_.forcing == Forcing::constant) return;
-  const std::size_t n = residual_history_.size();
-  const double now = residual_history_.back();
-  if (n > 1) {
-    const double before = residual_history_[n - 2];
+  if (residual_history_.size() > 1) {
     const double seen = now / (before * before);
     const bool is_nonlinear = now > 2.0 * last_forcing_ * before;  // else a bound from above
     if (now < before) nonlinearity_ = is_nonlinear ? seen : std::min(nonlinearity_, seen);
@@ -103,19 +101,20 @@ double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->spring_co
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   residual_history_.clear();
-  const auto measure = [&](const NOX::Abstract::Group& group) {
+  bool only_rounding_is_left = false;
+  const auto is_good = [&](const NOX::Abstract::Group& group) {
     const double force = model_->force_scale();
     if (std::isfinite(force)) largest_force_ = std::max(largest_force_, force);
     const double norm = group.getNormF();
-    double relative = norm / largest_force_;
-    const bool is_rounding = norm <= model_->rounding();
-    if (is_rounding && !(relative <= parameters_.newton_tolerance)) relative = 0.0;
+    const double relative = norm == 0.0 ? 0.0 : norm / largest_force_;
+    const bool is_small = relative <= parameters_.newton_tolerance;
+    only_rounding_is_left = !is_small && norm <= model_->rounding();
     residual_history_.push_back(relative);
-    choose_forcing();
+    choose_forcing(only_rounding_is_left ? 0.0 : relative);
     if (progress_)
       progress_(static_cast<int>(residual_history_.size()) - 1, relative,
                 linear_solver_->total_iterations() - reported_iterations_);
-    return relative;
+    return is_small || only_rounding_is_left;
   };
 
   const auto start =
@@ -124,7 +123,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
       NOX::Thyra::Vector(start), model_, model_->create_W_op(), model_->get_W_factory(),
       Teuchos::RCP<Thyra::PreconditionerBase<double>>(),
       Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>>()));
-  const auto converged = Teuchos::rcp(new RelativeToForce(parameters_.newton_tolerance, measure));
+  const auto converged = Teuchos::rcp(new Converged(is_good));
   const auto finite = Teuchos::rcp(new NOX::StatusTest::FiniteValue);
   const auto too_many = Teuchos::rcp(new NOX::StatusTest::MaxIters(parameters_.newton_iterations));
   const auto test =
@@ -143,12 +142,27 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
     throw base::StepRejected(
         base::format("Newton did not converge in %d iterations (residual %.2e)",
                      solver->getNumIterations(), residual_history_.back()));
+  if (only_rounding_is_left) check_rounding(u);
   NewtonResult result;
+  result.is_limited_by_rounding = only_rounding_is_left;
+  if (largest_force_ > 0.0) result.hold_share = model_->hold_norm() / largest_force_;
   result.iterations = solver->getNumIterations();
   result.linear_iterations = linear_solver_->total_iterations() - reported_iterations_;
   reported_iterations_ = linear_solver_->total_iterations();
   result.residual = residual_history_.back();
   return result;
+}
+
+/// Rounding may leave a residual that is small against the forces, or as large as them where there
+/// are none to speak of: in a body that nothing strains.
+void NewtonSolver::check_rounding(const grid::Vector& u) const {
+  constexpr double largest_share = 1e-4, strain_by_rounding = 1e-11;
+  const double relative = residual_history_.back();
+  if (relative <= largest_share || balance_->largest_strain(u) <= strain_by_rounding) return;
+  throw base::StepRejected(base::format(
+      "rounding alone leaves a residual of %.2e of the forces: the stiffest of materials and "
+      "springs is too stiff, or displacements are too large, for what the rest bears",
+      relative));
 }
 
 void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_change) {

@@ -17,6 +17,11 @@ struct NewtonResult {
   int iterations = 0;
   long long linear_iterations = 0;  ///< the predictor's included
   double residual = 0.0;            ///< ||residual|| / largest force scale so far
+  /// The residual is above the tolerance, but rounding leaves as much of it.
+  bool is_limited_by_rounding = false;
+  /// What the nodes bear that hold a free rigid motion, over the largest force scale so far. As
+  /// long as the loads are in balance it is no more than the residual.
+  double hold_share = 0.0;
 };
 
 /// Solves residual(u) = 0 for one load. Norms are Euclidean, over all ranks.
@@ -35,9 +40,10 @@ class NewtonSolver {
 
   /// Changes u, whose prescribed components are set, until ||residual|| <= tolerance * the largest
   /// force scale (reactions, external force) of this and all earlier calls, or until nothing but
-  /// rounding is left (a body that moves without force). Collective.
-  /// \throws base::StepRejected when it does not converge or when particles are turned inside
-  ///         out; u then holds the last iterate
+  /// rounding is left of it: that must be small against the forces, unless there are none (a body
+  /// that moves without strain). Collective.
+  /// \throws base::StepRejected when it does not converge, when rounding is as large as the forces,
+  ///         or when particles are turned inside out; u then holds the last iterate
   NewtonResult solve(grid::Vector& u);
 
   /// Predicts by the tangent: u + du with du the given change of the prescribed components and, at
@@ -55,12 +61,14 @@ class NewtonSolver {
   Progress progress_;
   std::unique_ptr<LinearSolver> linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
-  void choose_forcing();
+  void choose_forcing(double relative);
   double loosest_forcing() const;
+  void check_rounding(const grid::Vector& u) const;
 
   long long reported_iterations_ = 0;
   /// ||residual|| after an exact Newton step / that before^2, both relative to the forces.
   double nonlinearity_ = 0.01;
+  double last_relative_ = 0.0;  // residual of the iterate before
   double last_forcing_ = 0.0;
   double largest_force_ = 0.0;
   std::vector<double> residual_history_;

@@ -48,6 +48,7 @@ void ThyraModel::evalModelImpl(const Model::InArgs<double>& in,
     const auto f = Extract::getTpetraVector(out.get_f());
     balance_->unbalanced_force(*x, *f);
     force_scale_ = balance_->force_scale(*x, *f);
+    hold_norm_ = balance_->supports().hold_norm(*f);
     rounding_ = balance_->rounding(*x);
     balance_->supports().clear(*f);
   }

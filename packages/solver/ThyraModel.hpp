@@ -20,6 +20,8 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
 
   /// MomentumBalance::force_scale() at the last residual's displacement [pN].
   double force_scale() const { return force_scale_; }
+  /// Supports::hold_norm() there [pN].
+  double hold_norm() const { return hold_norm_; }
   /// MomentumBalance::rounding() there [pN].
   double rounding() const { return rounding_; }
 
@@ -38,7 +40,7 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   mechanics::MomentumBalance* balance_;
   Teuchos::RCP<const Factory> factory_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
-  mutable double force_scale_ = 0.0, rounding_ = 0.0;
+  mutable double force_scale_ = 0.0, hold_norm_ = 0.0, rounding_ = 0.0;
 };
 
 }  // namespace stroma::solver

@@ -1,0 +1,81 @@
+/// \file
+/// Bodies that nothing holds against their loads are refused by `check` and `run` before anything
+/// is computed; pieces that carry no load change nothing.
+
+#include <gtest/gtest.h>
+
+#include "support/Program.hpp"
+
+namespace stroma::test {
+namespace {
+
+const fs::path cases = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases";
+
+/// The case's folder, copied to where results may be written.
+void copy_case(const std::string& name, const TemporaryFolder& folder) {
+  fs::copy(cases / name, folder.path(), fs::copy_options::recursive);
+}
+
+void expect_refused(const std::string& name, const std::string& deck, const std::string& settings,
+                    const std::vector<std::string>& told) {
+  const TemporaryFolder folder;
+  copy_case(name, folder);
+  for (const int ranks : {1, 2})
+    for (const std::string command : {"check ", "run "}) {
+      const Outcome outcome = run_stroma(folder.path(), command + deck + settings, ranks);
+      EXPECT_EQ(outcome.status, 2) << command << deck << settings << " on " << ranks;
+      for (const std::string& text : told)
+        EXPECT_NE(outcome.standard_error.find(text), std::string::npos)
+            << command << deck << settings << " on " << ranks << "\nnot told: " << text << "\n"
+            << outcome.standard_error;
+      EXPECT_FALSE(fs::exists(folder / fs::path(deck).stem().string()));
+    }
+}
+
+TEST(Statics, ALoadAlongAFreeMotionIsRefused) {
+  expect_refused("load_on_free_motion", "roller.yaml", "", {"External Forces", "along x: 512 pN"});
+  expect_refused("load_on_free_motion", "trac.yaml", "", {"External Forces", "along x: 640 pN"});
+  expect_refused("load_on_free_motion", "trac.yaml",
+                 " --set 'Grid|Reset=true' --set 'External Forces|t|Traction [Pa]=[0, 0, 10]'",
+                 {"along z: 640 pN"});
+}
+
+TEST(Statics, ALoadedIslandIsRefused) {
+  expect_refused("island", "island.yaml", "",
+                 {"External Forces", "along y: 0.08 pN", "8 elements with 8 particles",
+                  "around (6, 6, 6) um"});
+}
+
+TEST(Statics, ABodyInTwoPiecesBetweenItsGripsIsRefused) {
+  expect_refused("gap", "deck.yaml", "",
+                 {"Boundary Conditions|top", "strains nothing", "the other piece"});
+  expect_refused("gap", "deck.yaml", " --set 'Boundary Conditions|top|Imposed By=Penalty'",
+                 {"Boundary Conditions|top", "strains nothing"});
+}
+
+/// The island's deck without the weight; label -1 for the island: without the island.
+double force_with_label(int label, int ranks, std::string& output) {
+  const TemporaryFolder folder;
+  std::string deck = content_of(cases / "island/island.yaml");
+  deck.erase(deck.find("  External Forces"));
+  const std::string key = "Label: 1\n          Center";
+  deck.replace(deck.find(key), 8, "Label: " + std::to_string(label));
+  folder.write("island.yaml", deck);
+  const Outcome outcome = run_stroma(folder.path(), "run island.yaml", ranks);
+  EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+  output = outcome.standard_output;
+  return outcome.status == 0 ? History(folder / "island/history.csv")["top.reaction_y"].back() : 0;
+}
+
+TEST(Statics, AnIdleIslandChangesNothingAndIsNoted) {
+  std::string output;
+  const double without = force_with_label(-1, 1, output);
+  EXPECT_EQ(output.find("pieces"), std::string::npos) << output;
+  for (const int ranks : {1, 2}) {
+    EXPECT_NEAR(force_with_label(1, ranks, output), without, 1e-9 * without);
+    EXPECT_NE(output.find("note: 1 of the body's 2 pieces"), std::string::npos) << output;
+  }
+}
+
+}  // namespace
+}  // namespace stroma::test
