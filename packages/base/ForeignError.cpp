@@ -10,26 +10,6 @@
 namespace stroma::base {
 namespace {
 
-/// The last paragraph, its lines joined.
-std::string last_paragraph(const std::string& text) {
-  std::string last, current;
-  bool line_is_empty = true;
-  for (const char c : text + "\n\n") {
-    if (c == '\n') {
-      if (line_is_empty) {
-        if (!current.empty()) last = current;
-        current.clear();
-      }
-      line_is_empty = true;
-    } else if (c != ' ' || !line_is_empty) {
-      if (line_is_empty && !current.empty()) current += ' ';
-      line_is_empty = false;
-      current += c;
-    }
-  }
-  return last;
-}
-
 /// A place for all ranks to meet, apart from their other messages.
 class MeetingPoint {
  public:
@@ -64,18 +44,40 @@ class MeetingPoint {
 
 }  // namespace
 
+std::string last_words(const std::string& text) {
+  std::string last, current, line;
+  const auto end_paragraph = [&] {
+    if (!current.empty() && current.rfind("Throw ", 0) != 0) last = current;
+    current.clear();
+  };
+  for (const char c : text + "\n\n") {
+    if (c != '\n') {
+      line += c;
+      continue;
+    }
+    const std::size_t begin = line.find_first_not_of(' ');
+    if (begin == std::string::npos) {
+      end_paragraph();
+    } else {
+      current += (current.empty() ? "" : " ") + line.substr(begin);
+    }
+    line.clear();
+  }
+  return last;
+}
+
 std::string words_of_current_exception() {
   std::string words;
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    words = "out of memory";
+    words = "out of memory; take more machines, or a smaller Image|Region";
   } catch (const std::exception& error) {
-    words = last_paragraph(error.what());
+    words = last_words(error.what());
   } catch (const std::string& text) {
-    words = last_paragraph(text);
+    words = last_words(text);
   } catch (const char* text) {
-    words = last_paragraph(text);
+    words = last_words(text);
   } catch (...) {
   }
   return words.empty() ? "an error without words" : words;

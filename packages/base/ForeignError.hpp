@@ -10,6 +10,9 @@
 
 namespace stroma::base {
 
+/// The last paragraph of a text, in one line, without what Trilinos puts before its words.
+std::string last_words(const std::string& text);
+
 /// What an exception of a library says, whatever its type, in one line: of the texts that Trilinos
 /// composes, the last part, which is meant for people. Call it where it was caught (it takes
 /// std::current_exception()).

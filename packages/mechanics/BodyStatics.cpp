@@ -63,12 +63,13 @@ BodyStatics::BodyStatics(const grid::Halo& halo, const Pieces& pieces, const gri
 
 void BodyStatics::add_element(int piece, std::int64_t particles, const std::array<double, 3>& lower,
                               const std::array<double, 3>& upper) {
-  PieceSums element;
-  element.elements = 1;
-  element.particles = particles;
-  element.lower = lower;
-  element.upper = upper;
-  sums(piece).add(element);
+  PieceSums& sum = sums(piece);
+  ++sum.elements;
+  sum.particles += particles;
+  for (std::size_t d = 0; d < 3; ++d) {
+    sum.lower[d] = std::min(sum.lower[d], lower[d]);
+    sum.upper[d] = std::max(sum.upper[d], upper[d]);
+  }
 }
 
 void BodyStatics::add_held(const HeldComponent& held) {

@@ -71,6 +71,7 @@ class Silence {
   }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
+  std::string text() const { return sink_.str(); }
 
  private:
   std::ostringstream sink_;
@@ -81,14 +82,16 @@ class Silence {
 /// \throws base::InputError when the block cannot be solved with a list of the deck
 void try_list(const std::string& name, const SolverParameters& parameters) {
   const std::string where = "Solver|" + name + ": ";
+  const Silence silence;
   try {
-    const Silence silence;
     solve_block(parameters);
   } catch (const base::StepRejected& rejected) {
     throw base::InputError(
         where + "with it, not even a uniform block of 64 elements is solved: " + rejected.what());
   } catch (...) {
-    throw base::InputError(where + name + " refuses it: " + base::words_of_current_exception());
+    std::string words = base::words_of_current_exception();
+    if (words == "NOX Error") words = base::last_words(silence.text());  // it has printed why
+    throw base::InputError(where + name + " refuses it: " + words);
   }
 }
 

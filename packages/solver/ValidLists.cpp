@@ -5,6 +5,7 @@
 #include <MueLu_MasterList.hpp>
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 
+#include "base/Log.hpp"
 #include "deck/FreeList.hpp"
 #include "grid/Types.hpp"
 
@@ -76,24 +77,55 @@ Teuchos::ParameterList valid_ifpack2() {
   return valid;
 }
 
+/// A number may not be negative where the package's own default is not: the packages take negative
+/// counts, steps and tolerances, and then do not end, or crash.
+void refuse_negative(const Teuchos::ParameterList& list, const Teuchos::ParameterList& valid,
+                     deck::Findings& findings) {
+  const auto number = [](const Teuchos::ParameterEntry& entry) {
+    if (entry.isType<int>()) return static_cast<double>(Teuchos::getValue<int>(entry));
+    return entry.isType<double>() ? Teuchos::getValue<double>(entry) : 0.0;
+  };
+  for (auto entry = list.begin(); entry != list.end(); ++entry) {
+    const std::string& name = list.name(entry);
+    const Teuchos::ParameterEntry* allowed = valid.getEntryPtr(name);
+    if (allowed == nullptr) continue;
+    if (list.entry(entry).isList() && allowed->isList()) {
+      deck::Findings inside = findings.below(name);
+      refuse_negative(list.sublist(name), valid.sublist(name), inside);
+    } else if (number(list.entry(entry)) < 0.0 && number(*allowed) >= 0.0) {
+      findings.add(name,
+                   base::format("found %g; admissible: at least 0", number(list.entry(entry))));
+    }
+  }
+}
+
+void check(const Teuchos::ParameterList& list, const Teuchos::ParameterList& valid,
+           deck::Findings& findings) {
+  deck::refuse_unknown(list, valid, findings);
+  refuse_negative(list, valid, findings);
+}
+
 }  // namespace
 
 void check_nox(const Teuchos::ParameterList& list, deck::Findings& findings) {
-  deck::refuse_unknown(list, valid_nox(), findings);
+  check(list, valid_nox(), findings);
 }
 
 void check_belos(const Teuchos::ParameterList& list, deck::Findings& findings) {
   using Operator = Tpetra::Operator<double>;
   const Belos::PseudoBlockCGSolMgr<double, grid::MultiVector, Operator> manager;
-  deck::refuse_unknown(list, *manager.getValidParameters(), findings);
+  check(list, *manager.getValidParameters(), findings);
 }
 
 void check_ifpack2(const Teuchos::ParameterList& list, deck::Findings& findings) {
-  deck::refuse_unknown(list, valid_ifpack2(), findings);
+  check(list, valid_ifpack2(), findings);
 }
 
 void check_muelu(const Teuchos::ParameterList& list, deck::Findings& findings) {
-  deck::refuse_unknown(list, *MueLu::MasterList::List(), findings);
+  check(list, *MueLu::MasterList::List(), findings);
+  // MueLu crashes on none.
+  if (list.isType<int>("max levels") && list.get<int>("max levels") == 0)
+    findings.add("max levels", "found 0; admissible: at least 1");
 }
 
 }  // namespace stroma::solver

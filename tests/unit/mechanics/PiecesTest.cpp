@@ -1,10 +1,11 @@
 /// \file
 /// Connected pieces of a body: how many there are on any number of ranks, which of them leave the
-/// system, and which bodies nothing holds against their loads. Claim V-SUP-2, docs/verification.md.
+/// system, and which bodies nothing holds against their loads. Claim V-SUP-3, docs/verification.md.
 
 #include <gtest/gtest.h>
 
 #include "base/Error.hpp"
+#include "base/Log.hpp"
 #include "mechanics/PieceStatics.hpp"
 #include "support/Specimen.hpp"
 

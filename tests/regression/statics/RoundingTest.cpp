@@ -1,0 +1,67 @@
+/// \file
+/// The residual that a run tells is the one there is; where rounding is as large as the forces no
+/// step is taken, and sizes that cannot be computed with are refused.
+
+#include <gtest/gtest.h>
+
+#include "support/Program.hpp"
+
+namespace stroma::test {
+namespace {
+
+const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/false_convergence/base.yaml";
+
+Outcome run_with(const TemporaryFolder& folder, const std::string& settings, int ranks = 1,
+                 const std::string& command = "run") {
+  fs::copy_file(deck, folder / "base.yaml", fs::copy_options::overwrite_existing);
+  return run_stroma(folder.path(), command + " base.yaml" + settings, ranks);
+}
+
+std::string stiff_ball(const std::string& modulus) {
+  return " --set 'Materials|ball|Shear Modulus [Pa]=" + modulus +
+         "' --set 'Solver|Preconditioner=Direct'";
+}
+
+TEST(Rounding, AsLargeAsTheForcesIsNoSolution) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_with(folder, stiff_ball("5e17"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.standard_error.find("rounding alone leaves"), std::string::npos)
+      << outcome.standard_error;
+  EXPECT_EQ(History(folder / "base/history.csv").rows(), 1u) << "the unloaded body alone";
+}
+
+TEST(Rounding, SmallAgainstTheForcesIsToldAndNoted) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_with(folder, stiff_ball("1e12"));
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+  const double residual = History(folder / "base/history.csv")["residual"].back();
+  EXPECT_GT(residual, 1e-8);
+  EXPECT_LT(residual, 1e-4);
+  EXPECT_NE(outcome.standard_output.find("note: rounding limits the residual"), std::string::npos)
+      << outcome.standard_output;
+  EXPECT_EQ(outcome.standard_output.find("residual 0.00e+00"), std::string::npos)
+      << outcome.standard_output;
+}
+
+TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {
+  const std::pair<std::string, std::string> settings[] = {
+      {"Materials|ball|Shear Modulus [Pa]=1e200", "Materials"},
+      {"Materials|gel|Shear Modulus [Pa]=1e-200", "Materials"},
+      {"Boundary Conditions|top|Strain=1e-200", "Boundary Conditions|top"},
+      {"Boundary Conditions|top|Strain=-1e180", "Boundary Conditions|top"},
+      {"External Forces|f|Body Force [pN/um^3]=[0, 0, 1e-190]", "External Forces|f"},
+      {"External Forces|f|Body Force [pN/um^3]=[0, 0, 1e190]", "External Forces|f"}};
+  for (const auto& [setting, section] : settings)
+    for (const std::string command : {"check", "run"}) {
+      const TemporaryFolder folder;
+      const Outcome outcome = run_with(folder, " --set '" + setting + "'", 1, command);
+      EXPECT_EQ(outcome.status, 2) << command << " " << setting << "\n" << outcome.standard_error;
+      EXPECT_NE(outcome.standard_error.find(section), std::string::npos)
+          << command << " " << setting << "\n"
+          << outcome.standard_error;
+    }
+}
+
+}  // namespace
+}  // namespace stroma::test
