@@ -9,7 +9,7 @@
 namespace stroma::test {
 namespace {
 
-constexpr double direct_force = 6.17026e11;  // by Direct, without stabilisation [pN]
+constexpr double direct_force = 6.02918e11;  // by Direct, without stabilisation, in 5 steps [pN]
 
 struct SpongeRun {
   Outcome outcome;
@@ -55,13 +55,6 @@ TEST_P(Sponge, RunsByDefault) {
   const long long most = largest_solve(log);
   EXPECT_GT(most, 0);
   EXPECT_LE(most, 40);
-}
-
-TEST(Sponge, IsStiffenedByLittle) {
-  const SpongeRun direct =
-      run("--set 'Grid|Stabilization=0' --set 'Solver|Preconditioner=Direct'", 1);
-  ASSERT_EQ(direct.outcome.status, 0) << direct.outcome.standard_error;
-  EXPECT_NEAR(direct.force, direct_force, 1e-5 * direct_force);
 }
 
 }  // namespace
