@@ -4,10 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "base/Error.hpp"
-#include "mechanics/BarelyFilled.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShiftedBody.hpp"
 
@@ -63,50 +60,6 @@ TEST(Stabilization, HasASmallEffectInProportion) {
   EXPECT_GT(effect, 0.0);
   EXPECT_LT(effect, 2e-4);
   EXPECT_NEAR(10.0 * tenth, effect, 0.05 * effect);
-}
-
-/// A block with a round hole through it, at 0.1 % of stretch: force [pN], and what the run says
-/// that stabilisation adds.
-std::pair<double, double> pull_holed(std::int64_t elements, double stabilization) {
-  Specimen specimen;
-  specimen.layout = {particles::Layout::voxel_centers, 1, 2};
-  specimen.elements = {elements, elements, elements};
-  specimen.spacing = {8.0 / static_cast<double>(elements), 8.0 / static_cast<double>(elements),
-                      8.0 / static_cast<double>(elements)};
-  const double size = 2.0 * static_cast<double>(elements);
-  specimen.label = [size](const grid::Index3& voxel) {
-    double square = 0.0;
-    for (std::size_t d = 0; d < 2; ++d)
-      square += std::pow((static_cast<double>(voxel[d]) + 0.5) / size - 0.5, 2);
-    return square < 0.38 * 0.38 ? -1 : 0;
-  };
-  specimen.stabilization = stabilization;
-  specimen.conditions = test::clamped(0.001);
-  mechanics::MovingBody body = specimen.moving_body(world());
-  solver::SolverParameters parameters;
-  parameters.newton_tolerance = 1e-10;
-  std::pair<double, double> result;
-  test::take_steps(body, 1, parameters, [&](double, const grid::Vector& u) {
-    result = {test::reactions(body, u)[1][1], mechanics::stabilization_share(body.balance(), u)};
-  });
-  return result;
-}
-
-// V-STAB-3. Without reset: what the run says that stabilisation adds is what it adds to the force,
-// in proportion to its strength, and falls with the elements' size.
-TEST(Stabilization, SaysWhatItAdds) {
-  double before = 0.0;
-  for (const std::int64_t elements : {8, 16}) {
-    const double plain = pull_holed(elements, 0.0).first;
-    const auto [force, said] = pull_holed(elements, 2e-5);
-    const double effect = force / plain - 1.0;
-    if (world().is_root()) std::printf("  %.2e of the force, said %.2e\n", effect, said);
-    EXPECT_GT(said, 0.0);
-    EXPECT_LT(said, 1e-3);
-    EXPECT_NEAR(said, effect, 0.05 * effect);
-    if (before > 0.0) EXPECT_LT(said, 0.7 * before);
-    before = said;
-  }
 }
 
 }  // namespace
