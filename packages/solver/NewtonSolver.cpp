@@ -154,9 +154,11 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
 }
 
 /// Rounding may leave a residual that is small against the forces, or as large as them where there
-/// are none to speak of: in a body that nothing strains.
+/// are none to speak of: in a body that nothing strains but what rounding does to it, through the
+/// springs of its supports if there are any.
 void NewtonSolver::check_rounding(const grid::Vector& u) const {
-  constexpr double largest_share = 1e-4, strain_by_rounding = 1e-11;
+  constexpr double largest_share = 1e-4;
+  const double strain_by_rounding = 1e-11 * balance_->spring_contrast();
   const double relative = residual_history_.back();
   if (relative <= largest_share || balance_->largest_strain(u) <= strain_by_rounding) return;
   throw base::StepRejected(base::format(
