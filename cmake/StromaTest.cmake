@@ -14,7 +14,7 @@ set(STROMA_TEST_ENVIRONMENT
 # each Open MPI (4, 5 and 6), which have these options in common.
 set(STROMA_MPIEXEC ${MPIEXEC_EXECUTABLE})
 execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE mpiexec_version ERROR_QUIET)
-if(mpiexec_version MATCHES "Open MPI")
+if(mpiexec_version MATCHES "Open MPI|OpenRTE")
   list(APPEND STROMA_MPIEXEC --oversubscribe --bind-to none)
 endif()
 list(APPEND STROMA_MPIEXEC ${MPIEXEC_NUMPROC_FLAG})
