@@ -10,6 +10,7 @@
 #include "grid/ShapeGrid.hpp"
 #include "image/Objects.hpp"
 #include "image/Segmentation.hpp"
+#include "mechanics/BarelyFilled.hpp"
 #include "solver/IterationTraffic.hpp"
 #include "solver/TrialSolve.hpp"
 
@@ -141,6 +142,8 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   log.line(format("pieces      %lld, connected through the grid",
                   static_cast<long long>(balance.supports().pieces().count)));
   for (const std::string& note : balance.supports().notes()) log.note(note);
+  const std::string barely_filled = mechanics::barely_filled_note(balance);
+  if (!barely_filled.empty()) log.note(barely_filled);
   check_memory(communicator, deck, specimen, log);
   const std::string exchange = solver::describe_traffic(communicator, specimen.partition,
                                                         deck.parameters.solver.preconditioner);

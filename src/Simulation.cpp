@@ -9,6 +9,7 @@
 #include "Specimen.hpp"
 #include "base/Error.hpp"
 #include "base/Session.hpp"
+#include "mechanics/BarelyFilled.hpp"
 #include "solver/LoadStep.hpp"
 #include "solver/StepControl.hpp"
 #include "solver/TrialSolve.hpp"
@@ -37,6 +38,8 @@ void describe(const base::Communicator& communicator, const Specimen& specimen,
   const std::string crowded = base::oversubscription(communicator);
   if (!crowded.empty()) log.note(crowded);
   for (const std::string& note : balance.supports().notes()) log.note(note);
+  const std::string barely_filled = mechanics::barely_filled_note(balance);
+  if (!barely_filled.empty()) log.note(barely_filled);
 }
 
 /// Begins a step; says so when the body came apart, or together, with the grid's reset.
@@ -173,6 +176,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
                solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
     notes.look_at(solved);
   }
+  if (!p.grid.reset && mechanics::count_barely_filled(body.balance()) > 0)
+    log.note(format("Grid|Stabilization adds %.1e to the stiffness of the body, to first order",
+                    mechanics::stabilization_share(body.balance(), body.displacement())));
   results.finish(body.balance(), body.displacement(), seconds);
 }
 

@@ -55,7 +55,7 @@ deck::Section<GridParameters> grid_section() {
   section.optional("Stabilization", &GridParameters::stabilization, deck::at_least(0.0),
                    "Stiffness, as a fraction of the real one, of a fictitious material in elements "
                    "that particles fill by less than half. It keeps nodes in place that the body "
-                   "barely touches; 0: none. Without it: 0.01 with Reset, else 0.");
+                   "barely touches; 0: none. Without it: 0.01 with Reset, else 2e-5.");
   section.optional("Plane Strain", &GridParameters::plane_strain, deck::any(),
                    "u_z = 0 everywhere; the grid has one element through z.");
   section.check([](const GridParameters& p, deck::Findings& findings) {
@@ -74,7 +74,7 @@ deck::Section<GridParameters> grid_section() {
 }
 
 double stabilization(const GridParameters& parameters) {
-  return parameters.stabilization.value_or(parameters.reset ? 0.01 : 0.0);
+  return parameters.stabilization.value_or(parameters.reset ? 0.01 : 2e-5);
 }
 
 Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& length) {

@@ -11,6 +11,7 @@
 #include "base/Stage.hpp"
 #include "grid/ShapeGrid.hpp"
 #include "grid/ToDevice.hpp"
+#include "mechanics/BarelyFilled.hpp"
 #include "mechanics/BoundaryPoints.hpp"
 #include "mechanics/Scales.hpp"
 #include "particles/Migration.hpp"
@@ -32,24 +33,6 @@ void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
       throw base::InputError(
           "these shape functions average over the particles' domains; admissible: a positive "
           "Problem::particle_half_edge along each axis");
-}
-
-transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
-  const grid::Grid& grid = partition.grid();
-  const grid::Box elements = partition.elements(rank);
-  transfer::ElementBox box;
-  box.flat = grid.flat;
-  box.beyond = grid.width - 1;
-  box.centered = grid.centered;
-  for (int d = 0; d < 3; ++d) {
-    box.elements[d] = static_cast<int>(elements.extent(d));
-    box.first[d] = static_cast<int>(elements.begin[d]);
-    box.all[d] = static_cast<int>(grid.elements[d]);
-    box.corner[d] = grid.origin[d] + static_cast<double>(elements.begin[d]) * grid.spacing[d];
-    box.spacing[d] = grid.spacing[d];
-    box.inverse_spacing[d] = 1.0 / grid.spacing[d];
-  }
-  return box;
 }
 
 /// Marks the particles of the grip of a condition: those that lay in the outermost layer of
@@ -219,35 +202,16 @@ Supports::NodeCounts MomentumBalance::elements_around(
 }
 
 void MomentumBalance::find_fictitious_points(double stabilization) {
-  const std::size_t count = particles_.element_begin.extent(0) - 1;
-  Kokkos::View<float*, Device> volume("fictitious volume", count);
-  const auto particles = particles_;
-  const transfer::ElementBox box = box_;
+  const auto missing = missing_volume(box_, particles_);
+  const Kokkos::View<float*, Device> volume("fictitious volume", missing.extent(0));
   const double count_of_element = kernels_->fictitious_points();
   std::int64_t found = 0;
   Kokkos::parallel_reduce(
-      "fictitious points", Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(count)),
+      "fictitious points",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(missing.extent(0))),
       KOKKOS_LAMBDA(const int e, std::int64_t& sum) {
-        double filled = 0.0;
-        for (int p = particles.element_begin(e); p < particles.element_begin(e + 1); ++p) {
-          tensor::Tensor3 H;
-          if (particles.base_gradient.extent(0) != 0)
-            for (int c = 0; c < 3; ++c)
-              for (int d = 0; d < 3; ++d) H(c, d) = particles.base_gradient(p, c, d);
-          filled += particles.volume(p) * (1.0 + tensor::det_minus_one(H));
-        }
-        const int index[3] = {e % box.elements[0], e / box.elements[0] % box.elements[1],
-                              e / (box.elements[0] * box.elements[1])};
-        double element_volume = 1.0;
-        for (int d = 0; d < 3; ++d) {
-          double lower, upper;
-          box.within_ends(d, index[d], lower, upper);
-          element_volume *= (upper - lower) * box.spacing[d];
-        }
-        if (!(filled > 0.0 && filled < 0.5 * element_volume)) return;
-        volume(e) =
-            static_cast<float>(stabilization * (element_volume - filled) / count_of_element);
-        ++sum;
+        volume(e) = static_cast<float>(stabilization * missing(e) / count_of_element);
+        if (missing(e) > 0.0) ++sum;
       },
       found);
   if (found > 0) fictitious_volume_ = volume;

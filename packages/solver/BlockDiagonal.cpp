@@ -57,6 +57,17 @@ void BlockDiagonal::compute(const mechanics::Stencil& stencil, const grid::BoxEx
   });
 }
 
+void BlockDiagonal::leave_out(const Kokkos::View<const std::uint8_t*, grid::Device>& nodes) {
+  const int n = nodes_[0];
+  float* const inverse = inverse_.data();
+  const std::uint8_t* const is_out = nodes.data();
+  grid::for_each_line("leave out", nodes_, [&](const int line, int, int) {
+    for (int m = 0; m < n; ++m)
+      if (is_out[m + n * line] != 0)
+        for (int e = 0; e < 6; ++e) inverse[(static_cast<std::size_t>(line) * 6 + e) * n + m] = 0.0f;
+  });
+}
+
 void BlockDiagonal::add_step(const NodeField<float>& b, const NodeField<float>* y, float keep,
                              float scale, const NodeField<float>& step,
                              const NodeField<float>& x) const {

@@ -18,6 +18,9 @@ class BlockDiagonal {
   /// Collective.
   void compute(const mechanics::Stencil& stencil, const grid::BoxExchange& exchange);
 
+  /// Makes D^-1 zero at the nodes of the box that are marked (not 0).
+  void leave_out(const Kokkos::View<const std::uint8_t*, grid::Device>& nodes);
+
   /// step = keep * step + scale * D^-1 (b - y);  x += step. Without y: y = 0. The heart of a
   /// polynomial smoother in one pass over the fields.
   void add_step(const grid::NodeField<float>& b, const grid::NodeField<float>* y, float keep,

@@ -9,6 +9,7 @@ namespace {
 using grid::NodeField;
 
 constexpr int power_iterations = 12;
+constexpr int patched_power_iterations = 24;  // overlapping patches crowd their largest eigenvalues
 constexpr double margin = 1.1;
 
 /// A number between -1 and 1 that follows from a node's place in the whole grid.
@@ -35,9 +36,26 @@ double dot(const NodeField<float>& a, const NodeField<float>& b,
 
 }  // namespace
 
+void ChebyshevSmoother::patch(const grid::BoxExchange& exchange,
+                              const ElementPatches::Chosen& chosen) {
+  patches_ = ElementPatches(exchange, chosen);
+}
+
+void ChebyshevSmoother::add_step(const NodeField<float>& b, const NodeField<float>* y, float keep,
+                                 float scale, const NodeField<float>& step,
+                                 const NodeField<float>& x,
+                                 const grid::BoxExchange& exchange) const {
+  diagonal_.add_step(b, y, keep, scale, step, x);
+  if (!patches_.empty()) patches_.add_step(b, y, scale, step, x, exchange);
+}
+
 void ChebyshevSmoother::compute(const mechanics::Stencil& stencil,
                                 const grid::BoxExchange& exchange, const LevelFields& fields) {
   diagonal_.compute(stencil, exchange);
+  if (!patches_.empty()) {
+    patches_.compute(stencil, exchange);
+    diagonal_.leave_out(patches_.nodes());
+  }
   const auto &v = fields.x, &w = fields.step, &y = fields.y, &scratch = fields.b;
   const grid::LevelGrid& grid = exchange.grid();
   const std::int64_t first[3] = {grid.first_node(0), grid.first_node(1), grid.first_node(2)};
@@ -50,10 +68,10 @@ void ChebyshevSmoother::compute(const mechanics::Stencil& stencil,
     }
   });
   double largest = 0.0;
-  for (int n = 0; n < power_iterations; ++n) {
+  for (int n = 0; n < (patches_.empty() ? power_iterations : patched_power_iterations); ++n) {
     stencil.multiply(v, y);
     exchange.sum(y);
-    diagonal_.add_step(y, nullptr, 0.0f, 1.0f, w, scratch);
+    add_step(y, nullptr, 0.0f, 1.0f, w, scratch, exchange);
     const double energy = dot(v, y, exchange);
     if (!(energy > 0.0)) break;  // nothing here but prescribed components, or an indefinite tangent
     largest = std::max(largest, dot(w, y, exchange) / energy);
@@ -71,8 +89,8 @@ void ChebyshevSmoother::smooth_from_zero(const mechanics::Stencil& stencil,
                                          const LevelFields& fields) const {
   fields.x.zero();
   fields.step.zero();
-  diagonal_.add_step(fields.b, nullptr, 0.0f, static_cast<float>(4.0 / 3.0 / bound_), fields.step,
-                     fields.x);
+  add_step(fields.b, nullptr, 0.0f, static_cast<float>(4.0 / 3.0 / bound_), fields.step, fields.x,
+           exchange);
   steps(2, stencil, exchange, fields);
 }
 
@@ -87,9 +105,9 @@ void ChebyshevSmoother::steps(int first, const mechanics::Stencil& stencil,
   for (int k = first; k <= degree_; ++k) {
     stencil.multiply(fields.x, fields.y);
     exchange.sum(fields.y);
-    diagonal_.add_step(fields.b, &fields.y, static_cast<float>((2.0 * k - 3) / (2 * k + 1)),
-                       static_cast<float>((8.0 * k - 4) / (2 * k + 1) / bound_), fields.step,
-                       fields.x);
+    add_step(fields.b, &fields.y, static_cast<float>((2.0 * k - 3) / (2 * k + 1)),
+             static_cast<float>((8.0 * k - 4) / (2 * k + 1) / bound_), fields.step, fields.x,
+             exchange);
   }
 }
 

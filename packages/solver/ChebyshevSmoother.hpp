@@ -4,6 +4,7 @@
 /// The smoother of the geometric multigrid: a polynomial in D^-1 K.
 
 #include "solver/BlockDiagonal.hpp"
+#include "solver/ElementPatches.hpp"
 
 namespace stroma::solver {
 
@@ -26,10 +27,15 @@ struct LevelFields {
 /// They are made of products alone: the same on any number of ranks, and symmetric, so that equal
 /// degrees before and after the coarse correction make a symmetric cycle.
 ///
+/// Where elements are chosen for it, D^-1 solves on each of them with all its unknowns, and is
+/// block Jacobi at the other nodes (ElementPatches).
+///
 /// Source: Lottes, Numer. Linear Algebra Appl. 30 (2023) e2518, algorithm 3.
 class ChebyshevSmoother {
  public:
   ChebyshevSmoother(const grid::LevelGrid& grid, int degree) : diagonal_(grid), degree_(degree) {}
+  /// Chooses elements for local solves. Collective.
+  void patch(const grid::BoxExchange& exchange, const ElementPatches::Chosen& chosen);
 
   /// D^-1, and the bound: power iterations from a start that does not depend on the ranks, and a
   /// margin, for they come from below. Overwrites the fields. Collective.
@@ -47,7 +53,13 @@ class ChebyshevSmoother {
   void steps(int first, const mechanics::Stencil& stencil, const grid::BoxExchange& exchange,
              const LevelFields& fields) const;
 
+  /// step = keep * step + scale * D^-1 (b - y);  x += step.
+  void add_step(const grid::NodeField<float>& b, const grid::NodeField<float>* y, float keep,
+                float scale, const grid::NodeField<float>& step, const grid::NodeField<float>& x,
+                const grid::BoxExchange& exchange) const;
+
   BlockDiagonal diagonal_;
+  ElementPatches patches_;
   int degree_;
   double bound_ = 1.0;
 };

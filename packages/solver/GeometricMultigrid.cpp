@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/Stage.hpp"
+#include "mechanics/BarelyFilled.hpp"
 #include "solver/GalerkinProduct.hpp"
 
 namespace stroma::solver {
@@ -56,6 +57,7 @@ GeometricMultigrid::Level::Level(const base::Communicator& communicator,
 
 GeometricMultigrid::GeometricMultigrid(const grid::RCP<const mechanics::StencilMatrix>& matrix,
                                        const std::array<double, 3>& spacing,
+                                       const ElementPatches::Chosen& patched,
                                        const MultigridSettings& settings)
     : matrix_(matrix) {
   for (const LevelPlan& plan : plan_levels(matrix->exchange().grid(), spacing, settings)) {
@@ -64,6 +66,7 @@ GeometricMultigrid::GeometricMultigrid(const grid::RCP<const mechanics::StencilM
     if (plan.is_direct) coarsest_.emplace(plan.grid);
     if (plan.directions != nowhere) levels_.back()->transfer.emplace(plan.grid, plan.directions);
   }
+  levels_.front()->smoother.patch(at(0).exchange, patched);
 }
 
 const mechanics::Stencil& GeometricMultigrid::stencil(int level) const {
@@ -152,16 +155,19 @@ grid::RCP<const mechanics::StencilMatrix> as_stencil(const grid::RCP<const Opera
 
 class MultigridPreconditioner : public Preconditioner {
  public:
-  explicit MultigridPreconditioner(const std::array<double, 3>& spacing) : spacing_(spacing) {}
+  explicit MultigridPreconditioner(const mechanics::MomentumBalance& balance)
+      : spacing_(balance.halo().partition().grid().spacing),
+        patched_(mechanics::barely_held_elements(balance)) {}
   void compute(const grid::RCP<const Operator>& tangent) override {
     if (cycle_ == Teuchos::null)
-      cycle_ = Teuchos::rcp(new GeometricMultigrid(as_stencil(tangent), spacing_));
+      cycle_ = Teuchos::rcp(new GeometricMultigrid(as_stencil(tangent), spacing_, patched_));
     cycle_->compute();
   }
   grid::RCP<const Operator> apply_inverse() const override { return cycle_; }
 
  private:
   std::array<double, 3> spacing_;
+  ElementPatches::Chosen patched_;
   grid::RCP<GeometricMultigrid> cycle_;
 };
 
@@ -206,7 +212,7 @@ class BlockJacobiPreconditioner : public Preconditioner {
 
 std::unique_ptr<Preconditioner> make_geometric_multigrid(
     const mechanics::MomentumBalance& balance) {
-  return std::make_unique<MultigridPreconditioner>(balance.halo().partition().grid().spacing);
+  return std::make_unique<MultigridPreconditioner>(balance);
 }
 std::unique_ptr<Preconditioner> make_block_jacobi() {
   return std::make_unique<BlockJacobiPreconditioner>();

@@ -53,8 +53,12 @@ std::vector<LevelPlan> plan_levels(grid::LevelGrid grid, std::array<double, 3> s
 /// of all that again for the coarser levels.
 class GeometricMultigrid : public Operator {
  public:
+  /// \param patched  elements of the rank that are solved on by themselves (ElementPatches): those
+  ///                 that the body barely fills
   GeometricMultigrid(const grid::RCP<const mechanics::StencilMatrix>& matrix,
-                     const std::array<double, 3>& spacing, const MultigridSettings& settings = {});
+                     const std::array<double, 3>& spacing,
+                     const ElementPatches::Chosen& patched = {},
+                     const MultigridSettings& settings = {});
 
   /// Adapts to the tangent's present values. Collective.
   void compute();

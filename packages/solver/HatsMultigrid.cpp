@@ -1,6 +1,7 @@
 #include <Ifpack2_Factory.hpp>
 #include <stdexcept>
 
+#include "mechanics/BarelyFilled.hpp"
 #include "mechanics/Lattice.hpp"
 #include "solver/GeometricMultigrid.hpp"
 
@@ -80,7 +81,7 @@ class HatsMultigrid : public Preconditioner {
     hats_->choose_tangent(mechanics::TangentForm::stencil);
     cycle_ = Teuchos::rcp(new GeometricMultigrid(
         Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(hats_->tangent(), true),
-        lattice_.halo().partition().grid().spacing));
+        lattice_.halo().partition().grid().spacing, mechanics::barely_held_elements(*hats_)));
     smoothing_.set("chebyshev: degree", 3);
     smoothing_.set("chebyshev: ratio eigenvalue", 12.0);
     smoothing_.set("chebyshev: eigenvalue max iterations", 20);
