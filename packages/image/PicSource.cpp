@@ -1,7 +1,6 @@
 /// \file
 /// Bio-Rad PIC, the format of the MRC confocal microscopes: a header of 76 bytes, planes of 8 or 16
-/// bit values, then notes of 96 bytes, all little-endian. ITK's reader is not used: it refuses
-/// 16-bit files that carry notes, and looks for the notes of a stack behind its first plane.
+/// bit values, then notes of 96 bytes, all little-endian.
 
 #include <cmath>
 #include <filesystem>
