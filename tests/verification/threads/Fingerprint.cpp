@@ -58,7 +58,7 @@ void take_multigrid(const Fingerprint& fingerprint, const std::string& body,
   fingerprint.print(body, "stencil times", result);
   solver::MultigridSettings settings;
   settings.direct_work = 1e6;  // so that these small bodies have coarser levels
-  solver::GeometricMultigrid multigrid(stencil, balance.halo().partition().grid().spacing,
+  solver::GeometricMultigrid multigrid(stencil, balance.halo().partition().grid().spacing, {},
                                        settings);
   multigrid.compute();
   fingerprint.print(body, "coarsest stencil", multigrid.stencil(multigrid.levels() - 1).values());
