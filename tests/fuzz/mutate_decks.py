@@ -31,6 +31,7 @@ NUMBERS = ["0", "-1", "1", "2", "0.5", "1e300", "-1e300", "1e-300", "1e999", "na
 WORDS = ["", " ", "true", "false", "null", "~", "Linear", "GIMP", "CPDI", "Direct", "Jacobi", "Multigrid", "xyz", "y+", "{", "}",
          "[1, 2, 3]", "{1, 2, 3}", "\u00b5m", "a\x01b", "a\nb", "x" * 300, "%s%n", "../..", "/dev/null", "/", "'", '"', "&lt;", "*a", "&a b",
          "!!int 3", "|", "<!--", "]]>"]
+VALUE = re.compile(r'value="([^"\n]*)"|^[^\n#:]*: +([^\n#{]+)', re.MULTILINE)  # of a parameter, in XML and in YAML
 TOKEN = re.compile(r'"[^"\n]*"|[-+]?\d[\d.eE+-]*|[A-Za-z_][A-Za-z_ ]*[A-Za-z_]|\S')
 
 
@@ -56,10 +57,33 @@ def small(text):
     return text.replace("{50, 50, 33}", "{12, 12, 12}")
 
 
+def other_value(value, random_numbers):
+    """A value in the place of one, mostly of its type, so that what it means is met and not only how it is read."""
+    r = random_numbers
+    numbers = list(re.finditer(r"[-+]?\d[\d.eE+-]*", value))
+    if not numbers:
+        return r.choice(WORDS) if r.random() < 0.5 else r.choice(NUMBERS)
+    number = r.choice(numbers)
+    kind = r.randrange(6)
+    if kind <= 2:
+        new = r.choice(NUMBERS)
+    elif kind == 3:  # of another size
+        try:
+            new = repr(float(number.group()) * 10.0 ** r.choice((-300, -12, -3, -1, 1, 3, 12, 300)))
+        except ValueError:
+            new = r.choice(NUMBERS)
+        new = new if "." in number.group() else new.split(".")[0]
+    elif kind == 4:  # one more or one less in a list
+        new = number.group() + ", " + number.group() if r.random() < 0.5 else ""
+    else:
+        return r.choice(WORDS)
+    return value[:number.start()] + new + value[number.end():]
+
+
 def mutate(text, random_numbers):
     r = random_numbers
     for _ in range(r.choice((1, 1, 1, 2, 3, 5))):
-        kind = r.randrange(9)
+        kind = r.randrange(16)
         tokens = list(TOKEN.finditer(text))
         lines = text.split("\n")
         if not tokens or len(lines) < 2:
@@ -84,9 +108,14 @@ def mutate(text, random_numbers):
             text = "\n".join(lines[:place] + part + lines[place:])
         elif kind == 7:  # cut short
             text = text[:r.randrange(len(text))] if r.random() < 0.3 else text
-        else:  # a byte
+        elif kind == 8:  # a byte
             place = r.randrange(len(text))
             text = text[:place] + r.choice("\x00\x01\t\n<>\"'&:{}[]#-%\xff") + text[place + 1:]
+        else:  # what a parameter is set to
+            found = [match.span(1 if match.group(2) is None else 2) for match in VALUE.finditer(text)]
+            if found:
+                start, end = r.choice(found)
+                text = text[:start] + other_value(text[start:end], r) + text[end:]
     return text
 
 

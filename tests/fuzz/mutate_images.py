@@ -144,6 +144,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=here.parents[1] / "build/release/bin/stroma")
     parser.add_argument("--count", type=int, default=200, help="images to make")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--first", type=int, default=0, help="number of the first image")
     parser.add_argument("--ranks", default="1", help="such as 1,2")
     parser.add_argument("--keep", type=pathlib.Path, default=pathlib.Path("mutated_images"))
     options = parser.parse_args()
@@ -157,7 +158,7 @@ def main():
     tally = collections.Counter()
     by_seed = collections.defaultdict(collections.Counter)
     slowest = largest = 0
-    for number in range(options.count):
+    for number in range(options.first, options.first + options.count):
         chance = random.Random(f"{options.seed} {number}")
         seed = seeds[number % len(seeds)]
         folder = pathlib.Path(tempfile.mkdtemp(prefix="stroma_mutant_"))
@@ -171,7 +172,7 @@ def main():
             slowest, largest = max(slowest, seconds), max(largest, kilobytes)
             trouble = fault(code, kilobytes, output)
             outcome = "at fault" if trouble else f"exit {code}"
-            tally[outcome] += 1
+            tally[f"{ranks} ranks, {outcome}"] += 1
             by_seed[seed.name][outcome] += 1
             if trouble:
                 faults.append(trouble)
@@ -184,10 +185,10 @@ def main():
 
     for name, counts in sorted(by_seed.items()):
         print(f"{name:24}", "  ".join(f"{outcome}: {counts[outcome]}" for outcome in sorted(counts)))
-    print(f"seed {options.seed}, {options.count} images, {sum(tally.values())} runs:",
+    print(f"seed {options.seed}, {options.count} images from {options.first}, {sum(tally.values())} runs:",
           ", ".join(f"{outcome}: {tally[outcome]}" for outcome in sorted(tally)) +
           f"; slowest {slowest:.1f} s, largest {largest / 1024:.0f} MB")
-    return 1 if tally["at fault"] else 0
+    return 1 if any(outcome.endswith("at fault") for outcome in tally) else 0
 
 
 if __name__ == "__main__":
