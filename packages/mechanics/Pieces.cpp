@@ -42,6 +42,28 @@ void for_each_touched(const transfer::ElementBox& box, int width,
       }
 }
 
+/// Takes up nodes that this rank owns and only the particles of other ranks touch, each as a set of
+/// its own.
+void add_nodes_touched_elsewhere(const grid::Halo& halo, std::vector<int>& set_of_node) {
+  const int rank = halo.communicator().rank();
+  const grid::Box owned = halo.partition().owned_nodes(rank);
+  const grid::Box touched = halo.partition().touched_nodes(rank);
+  grid::Vector is_touched(halo.owned_map());
+  const grid::NodeView mine = halo.contributions();
+  const auto mine_on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), mine);
+  for (std::size_t n = 0; n < set_of_node.size(); ++n)
+    if (set_of_node[n] != Pieces::none) mine_on_host(n, 0) = 1.0;
+  Kokkos::deep_copy(mine, mine_on_host);
+  halo.largest_to_owner(is_touched);
+  const auto all =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), grid::node_view(is_touched));
+  for (std::int64_t n = 0; n < owned.count(); ++n) {
+    const auto node = static_cast<std::size_t>(touched.local(owned.index(n)));
+    if (all(n, 0) > 0.0 && set_of_node[node] == Pieces::none)
+      set_of_node[node] = static_cast<int>(node);
+  }
+}
+
 /// Lets the labels of sets that meet at nodes of several ranks grow to the largest of them.
 void agree(const grid::Halo& halo, const std::vector<int>& set_of_node,
            std::vector<std::int64_t>& label) {
@@ -100,6 +122,8 @@ Pieces::Pieces(const grid::Halo& halo, const transfer::ElementBox& box,
     sets.join(first, node);
     of_node_[static_cast<std::size_t>(node)] = node;
   });
+
+  if (halo.communicator().size() > 1) add_nodes_touched_elsewhere(halo, of_node_);
 
   // Sets get numbers, and as labels the largest numbers of their nodes.
   std::vector<int> set_of_root(count, none);

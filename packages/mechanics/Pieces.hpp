@@ -13,7 +13,7 @@ namespace stroma::mechanics {
 
 /// Elements whose particles touch a common node belong to one piece, on whichever ranks they are.
 /// Pieces share no node: no force goes from one to another. Every rank knows of the pieces of which
-/// it has a part, and of no others.
+/// it has a part, elements or nodes that it owns, and of no others.
 ///
 /// Each rank joins its own elements (union-find); then labels, the largest number of a piece's
 /// nodes, go from rank to rank over the halo until none grows any more.
@@ -40,7 +40,8 @@ class Pieces {
   int of_element(std::int64_t element) const {
     return of_element_[static_cast<std::size_t>(element)];
   }
-  /// The piece of a touched node (grid::Partition::touched_nodes); `none`: no particle touches it.
+  /// The piece of a touched node (grid::Partition::touched_nodes); `none`: no particle touches it,
+  /// or only particles of other ranks touch it, and one of them owns it.
   int of_node(std::int64_t node) const { return of_node_[static_cast<std::size_t>(node)]; }
 
  private:

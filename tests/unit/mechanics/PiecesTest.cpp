@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "base/Error.hpp"
 #include "base/Log.hpp"
 #include "mechanics/PieceStatics.hpp"
@@ -99,6 +101,41 @@ TEST(Pieces, AreTheSameOnAnyNumberOfRanks) {
   EXPECT_EQ(pieces_of(specimen).count, 1);
   specimen.label = path(3);
   EXPECT_EQ(pieces_of(specimen).count, 2);
+}
+
+// Crumbs, some of which end where the elements of another rank begin: that rank owns nodes that it
+// does not touch.
+TEST(Pieces, OfCrumbsAreTheSameOnAnyNumberOfRanks) {
+  std::minstd_rand random(3);
+  for (int n = 0; n < 20; ++n) {
+    SCOPED_TRACE(n);
+    std::vector<int> is_solid(6 * 8 * 6);
+    for (int& one : is_solid) one = random() % 100 < 15 ? 1 : 0;
+    Specimen specimen;
+    specimen.elements = {6, 8, 6};
+    specimen.label = [&](const grid::Index3& voxel) {
+      const auto element =
+          static_cast<std::size_t>(voxel[0] / 2 + 6 * (voxel[1] / 2 + 8 * (voxel[2] / 2)));
+      const bool is_root = voxel[0] < 2 && voxel[2] < 2;  // what conditions at both ends strain
+      return is_root || is_solid[element] != 0 ? 0 : -1;
+    };
+    specimen.conditions = {{"bottom", hold(Face::y_lower, "xy")},
+                           {"side", hold(Face::x_lower, "z")},
+                           {"top", stretch(Face::y_upper, "y", 0.1)}};
+    const auto alone = specimen.balance(base::Communicator::self());
+    const auto together = specimen.balance(world());
+    const PiecesSummary& expected = alone->supports().pieces();
+    const PiecesSummary& pieces = together->supports().pieces();
+    EXPECT_GT(expected.count, 1);
+    EXPECT_EQ(pieces.count, expected.count);
+    EXPECT_EQ(pieces.elements, expected.elements);
+    EXPECT_EQ(pieces.particles, expected.particles);
+    EXPECT_EQ(pieces.carried, expected.carried);
+    EXPECT_EQ(pieces.carried_particles, expected.carried_particles);
+    EXPECT_EQ(together->supports().unknowns(), alone->supports().unknowns());
+    EXPECT_EQ(together->supports().rigid_holds().size(), alone->supports().rigid_holds().size());
+    EXPECT_EQ(together->supports().notes().size(), alone->supports().notes().size());
+  }
 }
 
 // Wider functions reach over a gap of one element.
