@@ -8,6 +8,7 @@
 #include "base/Log.hpp"
 #include "base/Memory.hpp"
 #include "grid/ShapeGrid.hpp"
+#include "solver/Preconditioner.hpp"
 
 namespace stroma {
 namespace {
@@ -68,7 +69,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const bool flat = parameters.grid.plane_strain;
   const auto kind = parameters.solver.preconditioner;
   const bool is_geometric = kind == solver::PreconditionerKind::geometric_multigrid;
-  const bool is_stencil = is_geometric && grid.width == 2;
+  const bool is_stencil = solver::takes_stencil(kind, grid);
   const double stencil = 504.0 * nodes;
   const double blocks = std::pow(2.0 * grid.width - 1.0, flat ? 2.0 : 3.0);  // of a row
   estimate.tangent = is_stencil ? stencil + 48.0 * nodes : (9.0 * 12.0 + 2.0) * blocks * nodes;

@@ -34,7 +34,7 @@ struct GridParameters {
 
 deck::Section<GridParameters> grid_section();
 
-/// Stiffness of the fictitious material [-]: as given, else 0.01 with reset and 0 without.
+/// Stiffness of the fictitious material [-]: as given, else 0.01 with reset and 2e-5 without.
 double stabilization(const GridParameters& parameters);
 
 /// From this Poisson ratio on, hats, GIMP and CPDI lock noticeably without a mean dilatation.

@@ -2,6 +2,7 @@
 
 #include "base/Log.hpp"
 #include "solver/GeometricMultigrid.hpp"
+#include "solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 namespace {
@@ -44,7 +45,7 @@ IterationTraffic iteration_traffic(const grid::Partition& partition, int rank,
   IterationTraffic traffic;
   if (partition.ranks() > 1)  // a rank alone does not call MPI for them
     traffic.dots = {0, 0, 0, sums_of_belos, sums_of_belos * std::int64_t{sizeof(double)}};
-  if (kind == PreconditionerKind::geometric_multigrid && partition.grid().width == 2) {
+  if (takes_stencil(kind, partition.grid())) {
     // The vector is made consistent before, the product summed behind.
     traffic.product = 2 * grid::box_sum_traffic(grid::LevelGrid(partition, rank), sizeof(double));
     traffic.preconditioner = cycle_traffic(partition, rank);

@@ -10,12 +10,17 @@
 
 namespace stroma::solver {
 
+bool takes_stencil(PreconditionerKind kind, const grid::Grid& grid) {
+  return kind == PreconditionerKind::geometric_multigrid && grid.width == 2;
+}
+
 std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
                                                     const mechanics::MomentumBalance& balance) {
   switch (parameters.preconditioner) {
     case PreconditionerKind::geometric_multigrid:
-      if (balance.halo().partition().grid().width > 2) return make_hats_multigrid(balance);
-      return make_geometric_multigrid(balance);
+      return takes_stencil(parameters.preconditioner, balance.halo().partition().grid())
+                 ? make_geometric_multigrid(balance)
+                 : make_hats_multigrid(balance);
     case PreconditionerKind::multigrid:
       return make_muelu(parameters, balance);
     case PreconditionerKind::direct:

@@ -64,10 +64,10 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
 void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
   model_ = Teuchos::null;
   balance_ = &balance;
-  balance.choose_tangent(parameters_.preconditioner == PreconditionerKind::geometric_multigrid &&
-                                 balance.halo().partition().grid().width == 2
-                             ? mechanics::TangentForm::stencil
-                             : mechanics::TangentForm::compressed_rows);
+  balance.choose_tangent(
+      takes_stencil(parameters_.preconditioner, balance.halo().partition().grid())
+          ? mechanics::TangentForm::stencil
+          : mechanics::TangentForm::compressed_rows);
   linear_solver_ = std::make_unique<LinearSolver>(parameters_, balance);
   model_ = Teuchos::rcp(new ThyraModel(balance, thyra_factory(*linear_solver_)));
   reported_iterations_ = 0;

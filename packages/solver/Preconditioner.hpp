@@ -29,6 +29,10 @@ class Preconditioner {
   virtual grid::RCP<const Operator> apply_inverse() const = 0;
 };
 
+/// Whether the tangent is kept as a stencil, in single precision, for a preconditioner on a grid;
+/// else as compressed rows.
+bool takes_stencil(PreconditionerKind kind, const grid::Grid& grid);
+
 /// The preconditioner that the deck chose. MueLu gets its rigid body modes from the grid of
 /// `balance`.
 std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
