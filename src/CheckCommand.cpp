@@ -131,8 +131,9 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   log.line(format("pieces      %lld, connected through the grid",
                   static_cast<long long>(balance.supports().pieces().count)));
   for (const std::string& note : balance.supports().notes()) log.note(note);
-  const std::string barely_filled = mechanics::barely_filled_note(balance);
-  if (!barely_filled.empty()) log.note(barely_filled);
+  for (const std::string& note : {mechanics::barely_filled_note(balance),
+                                  solver::contrast_note(circumstances(deck, balance))})
+    if (!note.empty()) log.note(note);
   check_memory(communicator, deck, specimen, labels, log);
   const std::string exchange = solver::describe_traffic(communicator, specimen.partition,
                                                         deck.parameters.solver.preconditioner);

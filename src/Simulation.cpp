@@ -20,7 +20,7 @@ namespace {
 
 using base::format;
 
-void describe(const base::Communicator& communicator, const Specimen& specimen,
+void describe(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
               const mechanics::MomentumBalance& balance, base::Log& log) {
   const image::ImageSummary& image = specimen.image;
   const grid::Grid& grid = specimen.body;
@@ -41,8 +41,9 @@ void describe(const base::Communicator& communicator, const Specimen& specimen,
   if (!crowded.empty()) log.note(crowded);
   for (const std::string& note : specimen.notes) log.note(note);
   for (const std::string& note : balance.supports().notes()) log.note(note);
-  const std::string barely_filled = mechanics::barely_filled_note(balance);
-  if (!barely_filled.empty()) log.note(barely_filled);
+  for (const std::string& note : {mechanics::barely_filled_note(balance),
+                                  solver::contrast_note(circumstances(deck, balance))})
+    if (!note.empty()) log.note(note);
 }
 
 /// Begins a step; says so when the body came apart, or together, with the grid's reset.
@@ -83,8 +84,13 @@ class StepNotes {
   bool has_told_of_rounding_ = false, has_told_of_holds_ = false;
 };
 
-std::string failure(const Deck& deck, const mechanics::WorstParticle& worst, double load,
-                    double next, const std::string& reason, const std::string& folder) {
+std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
+                    const grid::Vector& trial, double load, double next, const std::string& reason,
+                    const std::string& folder) {
+  const mechanics::WorstParticle worst = balance.worst_particle(trial);
+  std::string advice;
+  for (const std::string& one : solver::advice(circumstances(deck, balance)))
+    advice += "\n- " + one;
   return format(
              "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step "
              "forbids "
@@ -95,8 +101,7 @@ std::string failure(const Deck& deck, const mechanics::WorstParticle& worst, dou
                 deck.parameters.materials.materials[static_cast<std::size_t>(worst.material)]
                     .first.c_str(),
                 worst.position[0], worst.position[1], worst.position[2], worst.jacobian) +
-         "the steps up to there are in " + folder +
-         "; to go on: a smaller load, a smaller Loading|Smallest Step, or a finer grid there";
+         "the steps up to there are in " + folder + "; to go on, what may help:" + advice;
 }
 
 }  // namespace
@@ -123,7 +128,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
                              problem_of(deck, specimen));
   folder.remove_old_results(log);
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
-  describe(communicator, specimen, body.balance(), log);
+  describe(communicator, deck, specimen, body.balance(), log);
   Results results(communicator, deck, specimen, folder, log);
 
   const base::StopRequests stop;
@@ -162,8 +167,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
       body.reject();
       if (!load.reject()) {
         results.finish(body.balance(), body.displacement(), seconds);
-        throw base::RunError(failure(deck, body.balance().worst_particle(trial), from, next,
-                                     rejected.what(), folder.folder()));
+        throw base::RunError(
+            failure(deck, body.balance(), trial, from, next, rejected.what(), folder.folder()));
       }
       continue;
     } catch (const base::RunError&) {

@@ -99,4 +99,10 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   return problem;
 }
 
+solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance) {
+  const DeckParameters& p = deck.parameters;
+  return solver::circumstances(p.solver, p.grid,
+                               material::largest_poisson_ratio(p.materials.materials), balance);
+}
+
 }  // namespace stroma

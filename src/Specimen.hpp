@@ -11,6 +11,7 @@
 #include "image/ImageSummary.hpp"
 #include "image/Volume.hpp"
 #include "mechanics/MomentumBalance.hpp"
+#include "solver/Advice.hpp"
 
 namespace stroma {
 
@@ -28,6 +29,9 @@ struct Specimen {
 
 /// What is solved on the specimen.
 mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen);
+
+/// What may make its solution hard. Collective.
+solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance);
 
 /// Reads and segments the deck's image. The labels are kept only as long as they are needed: they
 /// and the particles are the larger part of what a rank holds before it solves. Collective.

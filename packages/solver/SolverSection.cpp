@@ -30,8 +30,8 @@ deck::Section<SolverParameters> solver_section() {
        {"Chebyshev", PreconditionerKind::chebyshev},
        {"Direct", PreconditionerKind::direct}},
       "Geometric Multigrid: coarser grids of the grid itself, the least memory and time; "
-      "Multigrid: MueLu's smoothed aggregation with rigid body modes, for vessels thousands of "
-      "times stiffer than the gel; Jacobi and Chebyshev: Ifpack2; Direct: a factorisation "
+      "Multigrid: MueLu's smoothed aggregation with rigid body modes, in double precision, for "
+      "inclusions more than a million times stiffer than the gel; Jacobi and Chebyshev: Ifpack2; Direct: a factorisation "
       "(Amesos2, KLU2), for small problems.");
   section.free_list("NOX", &SolverParameters::nox,
                     "Settings for NOX, laid over Stroma's own (line search based Newton).",

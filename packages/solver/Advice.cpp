@@ -1,0 +1,89 @@
+#include "solver/Advice.hpp"
+
+#include "base/Log.hpp"
+#include "mechanics/BarelyFilled.hpp"
+#include "solver/Preconditioner.hpp"
+
+namespace stroma::solver {
+
+using base::format;
+
+namespace {
+
+/// Of the shear moduli of the particles, on all ranks.
+double contrast(const mechanics::MomentumBalance& balance) {
+  const std::vector<material::NeoHookean>& laws = balance.problem().laws;
+  const Kokkos::View<double*, grid::Device> shear_modulus("shear moduli", laws.size());
+  const auto on_host = Kokkos::create_mirror_view(shear_modulus);
+  for (std::size_t m = 0; m < laws.size(); ++m) on_host(m) = laws[m].shear_modulus;
+  Kokkos::deep_copy(shear_modulus, on_host);
+  const auto material = balance.particles().material;
+  using Extremes = Kokkos::MinMax<double>;
+  Extremes::value_type found;
+  Kokkos::parallel_reduce(
+      "contrast",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(material.extent(0))),
+      KOKKOS_LAMBDA(const int p, Extremes::value_type& all) {
+        const double mu = shear_modulus(material(p));
+        if (mu < all.min_val) all.min_val = mu;
+        if (mu > all.max_val) all.max_val = mu;
+      },
+      Extremes(found));
+  const base::Communicator& communicator = balance.halo().communicator();
+  return communicator.max(found.max_val) / communicator.min(found.min_val);
+}
+
+}  // namespace
+
+Circumstances circumstances(const SolverParameters& solver, const grid::GridParameters& grid,
+                            double largest_poisson_ratio,
+                            const mechanics::MomentumBalance& balance) {
+  Circumstances known;
+  known.contrast = contrast(balance);
+  known.is_single_precision =
+      takes_stencil(solver.preconditioner, balance.halo().partition().grid());
+  known.barely_filled = mechanics::count_barely_filled(balance);
+  known.stabilization = balance.problem().stabilization;
+  known.locking = grid::locking_note(grid, largest_poisson_ratio);
+  const mechanics::Supports& supports = balance.supports();
+  known.pieces = supports.pieces().count - supports.pieces().carried;
+  known.has_free_motion = !supports.rigid_holds().empty();
+  return known;
+}
+
+std::string contrast_note(const Circumstances& known) {
+  constexpr double resolved = 1e6;  // by single precision, measured: docs/theory.md
+  if (!known.is_single_precision || known.contrast <= resolved) return "";
+  return format(
+      "the stiffest material is %.2g times stiffer than the softest, and the tangent of "
+      "Preconditioner = Geometric Multigrid is in single precision: where stiff parts lie in the "
+      "soft ones and steps fail, Solver|Preconditioner = Multigrid, in double precision, helps",
+      known.contrast);
+}
+
+std::vector<std::string> advice(const Circumstances& known) {
+  std::vector<std::string> all;
+  if (known.barely_filled > 0)
+    all.push_back(format("%lld elements are filled by less than half: ",
+                         static_cast<long long>(known.barely_filled)) +
+                  (known.stabilization > 0.0
+                       ? format("a larger Grid|Stabilization (now %g)", known.stabilization)
+                       : std::string("Grid|Stabilization = 1e-4 keeps their nodes in place")));
+  const std::string on_contrast = contrast_note(known);
+  if (!on_contrast.empty()) all.push_back(on_contrast);
+  if (!known.locking.empty()) all.push_back(known.locking);
+  if (known.has_free_motion)
+    all.push_back("the boundary conditions leave a rigid motion free: " +
+                  (known.pieces > 1
+                       ? format("a support for each of the body's %lld pieces that carry load",
+                                static_cast<long long>(known.pieces))
+                       : std::string("a support against it")));
+  if (known.is_single_precision && on_contrast.empty())
+    all.push_back(
+        "parts that hang on the rest by an edge or a corner: Solver|Preconditioner = Multigrid, "
+        "whose tangent is in double precision");
+  all.push_back("a smaller load, a smaller Loading|Smallest Step, or a finer grid there");
+  return all;
+}
+
+}  // namespace stroma::solver

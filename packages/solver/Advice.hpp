@@ -1,0 +1,41 @@
+#pragma once
+
+/// \file
+/// What helps a run whose steps fail, by what is known of it.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grid/GridSection.hpp"
+#include "mechanics/MomentumBalance.hpp"
+#include "solver/SolverSection.hpp"
+
+namespace stroma::solver {
+
+/// What may make a tangent indefinite.
+struct Circumstances {
+  double contrast = 1.0;             ///< stiffest over softest shear modulus of the particles [-]
+  bool is_single_precision = false;  ///< the tangent, see takes_stencil()
+  std::int64_t barely_filled = 0;    ///< elements filled by less than half
+  double stabilization = 0.0;        ///< Grid|Stabilization [-]
+  std::string locking;               ///< grid::locking_note()
+  std::int64_t pieces = 1;           ///< of the body, that carry load
+  bool has_free_motion = false;      ///< a rigid motion that nodes hold, for want of a support
+};
+
+/// Collective.
+/// \param largest_poisson_ratio  of the materials [-]
+Circumstances circumstances(const SolverParameters& solver, const grid::GridParameters& grid,
+                            double largest_poisson_ratio,
+                            const mechanics::MomentumBalance& balance);
+
+/// Names the preconditioner for a contrast above 1e6, which a tangent in single precision may not
+/// resolve; empty for any other run.
+std::string contrast_note(const Circumstances& known);
+
+/// What to try, the most promising first, each with its reason; a smaller load, step or element
+/// last, whatever is known.
+std::vector<std::string> advice(const Circumstances& known);
+
+}  // namespace stroma::solver

@@ -1,0 +1,71 @@
+/// \file
+/// A run whose steps fail says what helps there, and what it says helps; `check` says it before for
+/// a contrast of moduli that single precision does not resolve.
+
+#include <gtest/gtest.h>
+
+#include "support/Program.hpp"
+
+namespace stroma::test {
+namespace {
+
+const fs::path cases = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases";
+const std::string contrast = " --set 'Materials|ball|Shear Modulus [Pa]=5e11'";  // 1e9
+
+Outcome run_case(const std::string& deck, const std::string& settings, int ranks = 1,
+                 const std::string& command = "run ") {
+  const TemporaryFolder folder;
+  fs::copy((cases / deck).parent_path(), folder.path(), fs::copy_options::recursive);
+  return run_stroma(folder.path(), command + fs::path(deck).filename().string() + settings, ranks);
+}
+
+/// Expects a run to fail in its first step and to name `advice`, and to go through once it is
+/// taken.
+void expect_helped(const std::string& deck, const std::string& settings, const std::string& before,
+                   const std::string& advice, const std::string& after) {
+  for (const int ranks : {1, 2}) {
+    const Outcome failed =
+        run_case(deck, settings + before + " --set 'Loading|Smallest Step=0.5'", ranks);
+    EXPECT_EQ(failed.status, 1) << failed.standard_output << failed.standard_error;
+    EXPECT_NE(failed.standard_error.find(advice), std::string::npos) << failed.standard_error;
+    const Outcome helped = run_case(deck, settings + after, ranks);
+    EXPECT_EQ(helped.status, 0) << helped.standard_error;
+  }
+}
+
+TEST(Advice, ContrastIsHelpedByDoublePrecision) {
+  expect_helped("false_convergence/base.yaml", contrast, "",
+                "- the stiffest material is 1e+09 times stiffer",
+                " --set 'Solver|Preconditioner=Multigrid'");
+}
+
+TEST(Advice, BarelyFilledElementsAreHelpedByStabilization) {
+  expect_helped("sponge/deck.yaml", "", " --set 'Grid|Stabilization=0'",
+                "- 288 elements are filled by less than half: Grid|Stabilization = 1e-4",
+                " --set 'Grid|Stabilization=1e-4'");
+}
+
+TEST(Advice, LockingIsHelpedByTheMean) {
+  expect_helped("false_convergence/base.yaml",
+                " --set 'Materials|gel|Poisson Ratio=0.4999' "
+                "--set 'Boundary Conditions|top|Strain=0.2'",
+                " --set 'Grid|Dilatation=Pointwise'",
+                "- Grid|Dilatation = Pointwise lets these shape functions lock",
+                " --set 'Grid|Dilatation=Element Mean'");
+}
+
+TEST(Advice, ContrastIsNotedWhereItMatters) {
+  const std::string note = "note: the stiffest material is ";
+  const auto is_noted = [&](const std::string& settings, const std::string& command) {
+    const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, command);
+    return outcome.standard_output.find(note) != std::string::npos;
+  };
+  EXPECT_TRUE(is_noted(contrast, "check "));
+  EXPECT_TRUE(is_noted(contrast, "run "));
+  EXPECT_FALSE(is_noted(contrast + " --set 'Solver|Preconditioner=Multigrid'", "check "));
+  EXPECT_FALSE(is_noted(contrast + " --set 'Grid|Shape Functions=GIMP'", "check "));
+  EXPECT_FALSE(is_noted("", "check "));
+}
+
+}  // namespace
+}  // namespace stroma::test
