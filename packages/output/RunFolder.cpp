@@ -107,28 +107,31 @@ void refuse_foreign_files(const base::Communicator& communicator, const std::str
 
 /// The lock, and the folders that were made for it.
 struct RunFolder::Hold {
+  struct MadeFolders {
+    std::vector<fs::path> paths;  ///< innermost first
+
+    ~MadeFolders() {
+      std::error_code ignored;
+      for (const fs::path& path : paths) fs::remove(path, ignored);  // unless something is in it
+    }
+  };
+
   explicit Hold(const std::string& folder) {
-    std::error_code reason;
+    std::error_code reason, ignored;
     for (fs::path path = fs::absolute(folder).lexically_normal();
-         !path.empty() && !fs::exists(fs::symlink_status(path, reason)); path = path.parent_path())
-      made.push_back(path);
+         !path.empty() && !fs::exists(fs::symlink_status(path, ignored)); path = path.parent_path())
+      made.paths.push_back(path);
     fs::create_directories(folder, reason);
-    if (!fs::is_directory(folder)) {
+    if (!fs::is_directory(folder, ignored))
       throw base::InputError(
           "cannot make the output folder '" + folder +
-          "': " + (fs::exists(folder, reason) ? "a file of that name exists" : reason.message()));
-    }
+          "': " + (fs::exists(folder, ignored) ? "a file of that name exists" : reason.message()));
     lock.emplace(folder);
-  }
-  ~Hold() {
-    lock.reset();
-    std::error_code ignored;
-    for (const fs::path& path : made) fs::remove(path, ignored);  // unless something is in it
   }
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;
 
-  std::vector<fs::path> made;  ///< innermost first
+  MadeFolders made;  ///< goes after the lock
   std::optional<FolderLock> lock;
 };
 

@@ -114,6 +114,15 @@ TEST_F(OutputFolder, ARefusedRunRemovesNothingAndLeavesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "a"));
 }
 
+TEST_F(OutputFolder, WhatCannotBeMadeIsRefusedWithTheReason) {
+  expect_refused(run("a/" + std::string(300, 'b')), "File name too long");
+  EXPECT_FALSE(fs::exists(folder_ / "a"));
+  fs::create_symlink("loop", folder_ / "loop");
+  expect_refused(run("loop"), "cannot make the output folder 'loop': ");
+  expect_refused(run("gel.yaml/out"),
+                 "cannot make the output folder 'gel.yaml/out': Not a directory");
+}
+
 std::string host() {
   char name[256] = "";
   gethostname(name, sizeof name - 1);
