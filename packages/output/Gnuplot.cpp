@@ -29,6 +29,8 @@ const char* const viridis[] = {"#440154", "#481567", "#482677", "#453781", "#404
                                "#1f968b", "#20a387", "#29af7f", "#3cbb75", "#55c667",
                                "#73d055", "#95d840", "#b8de29", "#dce319", "#fde725"};
 
+bool one_has_hung = false;  // in this process: the next one will hang too
+
 /// The first line that tells something in what gnuplot printed.
 std::string first_complaint(const std::string& path) {
   std::ifstream stream(path);
@@ -59,6 +61,8 @@ std::optional<int> status_of(pid_t child, std::chrono::milliseconds patience) {
 }
 
 }  // namespace
+
+std::chrono::milliseconds gnuplot_patience() { return std::chrono::seconds(one_has_hung ? 5 : 60); }
 
 std::string gnuplot_quoted(const std::string& text) {
   std::string quoted = "'";
@@ -146,6 +150,7 @@ std::string run_gnuplot(const std::string& folder, const std::string& script,
   } else {
     const std::optional<int> status = status_of(child, patience);
     if (!status) {
+      one_has_hung = true;
       failure = base::format("gnuplot did not come to an end in %.3g s", 1e-3 * patience.count());
     } else if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0) {
       failure = first_complaint(printed);

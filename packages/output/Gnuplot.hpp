@@ -22,10 +22,13 @@ std::string viridis_colour(double place);
 /// A text as a gnuplot string.
 std::string gnuplot_quoted(const std::string& text);
 
+/// How long gnuplot is waited for: a minute; a few seconds once it has been given up.
+std::chrono::milliseconds gnuplot_patience();
+
 /// Runs `gnuplot SCRIPT` in a folder, without the user's own settings, and waits for it; after so
 /// long it is ended, with the processes that it started. Nothing reaches this process's output.
 /// \return  empty when it succeeded; else what went wrong, in one line
 std::string run_gnuplot(const std::string& folder, const std::string& script,
-                        std::chrono::milliseconds patience = std::chrono::minutes(1));
+                        std::chrono::milliseconds patience = gnuplot_patience());
 
 }  // namespace stroma::output

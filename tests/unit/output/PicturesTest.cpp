@@ -238,6 +238,7 @@ TEST(Gnuplot, OneThatHangsIsGivenUp) {
   std::ofstream(folder / "gnuplot") << "#!/bin/sh\nsleep 300 &\necho $! > child\nwait\n";
   fs::permissions(folder / "gnuplot", fs::perms::owner_all);
   const std::string path = std::getenv("PATH");
+  EXPECT_EQ(output::gnuplot_patience(), std::chrono::minutes(1));
   setenv("PATH", (folder.path() + ":" + path).c_str(), 1);
   const std::string failure =
       output::run_gnuplot(folder.path(), "any.gp", std::chrono::milliseconds(500));
@@ -246,6 +247,7 @@ TEST(Gnuplot, OneThatHangsIsGivenUp) {
   const pid_t child = std::atoi(content_of(folder / "child").c_str());
   ASSERT_GT(child, 0);
   EXPECT_TRUE(is_gone(child));
+  EXPECT_EQ(output::gnuplot_patience(), std::chrono::seconds(5)) << "a minute for each picture";
 }
 
 }  // namespace
