@@ -229,10 +229,11 @@ class TiffSource : public ImageSource {
     if (plane_count() == 1 && imagej.images > 1)
       use_one_piece(imagej.images, "its ImageJ tags speak");
     if (plane_count() != imagej.images) {
-      refuse(summary_.path,
-             base::format(
-                 "its ImageJ tags speak of %lld images, but it holds %lld pages (truncated?)",
-                 static_cast<long long>(imagej.images), static_cast<long long>(plane_count())));
+      refuse(
+          summary_.path,
+          base::format("its ImageJ tags speak of %lld images, but it holds %lld pages%s",
+                       static_cast<long long>(imagej.images), static_cast<long long>(plane_count()),
+                       imagej.images > plane_count() ? " (truncated?)" : ", which is more"));
     }
     summary_.format = imagej.channels > 1 || imagej.frames > 1 ? "TIFF, ImageJ hyperstack"
                       : imagej.images > 1                      ? "TIFF, ImageJ stack"

@@ -79,7 +79,11 @@ TEST(BrokenFiles, TiffOfWrongKind) {
   TiffOptions one_bit_like;
   one_bit_like.description = "ImageJ=1.53t\nimages=6\nslices=6\n";
   expect_refused("fewer_pages.tif", tiff_bytes(one_bit_like),
-                 "speak of 6 images, but it holds 3 pages");
+                 "speak of 6 images, but it holds 3 pages (truncated?)");
+  TiffOptions more_pages;
+  more_pages.description = "ImageJ=1.53t\nimages=2\nslices=2\n";
+  expect_refused("more_pages.tif", tiff_bytes(more_pages),
+                 "speak of 2 images, but it holds 3 pages, which is more");
   TiffOptions frames;
   frames.description = "ImageJ=1.53t\nimages=3\nframes=3\nslices=1\n";
   tiff_bytes(frames);
