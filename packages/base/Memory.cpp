@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "base/Log.hpp"
+#include "base/Machine.hpp"
 
 namespace stroma::base {
 namespace {
@@ -55,15 +56,6 @@ double mapped() {
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-int ranks_on_machine(const Communicator& communicator) {
-  MPI_Comm machine;
-  MPI_Comm_split_type(communicator.raw(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  int ranks = 1;
-  MPI_Comm_size(machine, &ranks);
-  MPI_Comm_free(&machine);
-  return ranks;
-}
-
 }  // namespace
 
 MemoryLimit machine_memory() {
@@ -89,7 +81,7 @@ double peak_memory() {
 }
 
 std::string shortage(const Communicator& communicator, double bytes) {
-  const int ranks = ranks_on_machine(communicator);
+  const int ranks = Machine(communicator).ranks().size();
   const MemoryLimit machine = machine_memory(), process = process_memory();
   std::string text;
   if (static_cast<double>(ranks) * (program_memory + bytes) > machine.bytes)

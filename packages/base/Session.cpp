@@ -11,6 +11,7 @@
 
 #include "base/Error.hpp"
 #include "base/Log.hpp"
+#include "base/Machine.hpp"
 
 namespace stroma::base {
 namespace {
@@ -39,14 +40,10 @@ Processors processors(const Communicator& communicator) {
   cpu_set_t mine;
   CPU_ZERO(&mine);
   sched_getaffinity(0, sizeof mine, &mine);
-  MPI_Comm machine;
-  MPI_Comm_split_type(communicator.raw(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  const Machine machine(communicator);
   cpu_set_t all;
-  MPI_Allreduce(&mine, &all, sizeof mine, MPI_BYTE, MPI_BOR, machine);
-  Processors found{std::max(1, CPU_COUNT(&mine)), std::max(1, CPU_COUNT(&all)), 1};
-  MPI_Comm_size(machine, &found.ranks);
-  MPI_Comm_free(&machine);
-  return found;
+  MPI_Allreduce(&mine, &all, sizeof mine, MPI_BYTE, MPI_BOR, machine.ranks().raw());
+  return {std::max(1, CPU_COUNT(&mine)), std::max(1, CPU_COUNT(&all)), machine.ranks().size()};
 }
 
 /// N of --kokkos-num-threads=N or --kokkos-threads=N; 0 if the word is another one.
