@@ -202,10 +202,9 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     // Not foreseen, and perhaps met by this rank alone: say so, and do not leave the others
     // waiting.
-    const bool out_of_memory = stroma::base::is_out_of_memory(error);
     std::cerr << "stroma: rank " << communicator.rank() << ": "
-              << (out_of_memory ? "out of memory; take more machines, or a smaller Image|Region"
-                                : error.what())
+              << (stroma::base::is_out_of_memory(error) ? stroma::base::out_of_memory
+                                                        : error.what())
               << std::endl;
     if (communicator.size() > 1)
       MPI_Abort(communicator.raw(), static_cast<int>(ExitStatus::run_failed));

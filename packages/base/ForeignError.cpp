@@ -2,10 +2,10 @@
 
 #include <unistd.h>
 
-#include <new>
 #include <stdexcept>
 
 #include "base/Error.hpp"
+#include "base/Memory.hpp"
 
 namespace stroma::base {
 namespace {
@@ -70,10 +70,8 @@ std::string words_of_current_exception() {
   std::string words;
   try {
     throw;
-  } catch (const std::bad_alloc&) {
-    words = "out of memory; take more machines, or a smaller Image|Region";
   } catch (const std::exception& error) {
-    words = last_words(error.what());
+    words = is_out_of_memory(error) ? out_of_memory : last_words(error.what());
   } catch (const std::string& text) {
     words = last_words(text);
   } catch (const char* text) {

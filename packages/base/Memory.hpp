@@ -38,6 +38,10 @@ std::string shortage(const Communicator& communicator, double bytes);
 /// "1.50 GiB", or in MiB below one.
 std::string readable_bytes(double bytes);
 
+/// What to say, and to do, where memory could not be had.
+constexpr const char* out_of_memory =
+    "out of memory; take more machines, or a smaller Image|Region";
+
 /// Whether an exception says that memory could not be had.
 bool is_out_of_memory(const std::exception& error);
 
