@@ -6,10 +6,9 @@
 
 #include <random>
 
-#include "base/Error.hpp"
+#include "Refusal.hpp"
 #include "base/Log.hpp"
 #include "mechanics/PieceStatics.hpp"
-#include "support/Specimen.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -18,19 +17,8 @@ using test::hold;
 using test::Specimen;
 using test::stretch;
 
-base::Communicator world() { return base::Communicator::world(); }
-
 PiecesSummary pieces_of(const Specimen& specimen) {
   return specimen.balance(world())->supports().pieces();
-}
-
-std::string refusal(const Specimen& specimen) {
-  try {
-    specimen.balance(world());
-  } catch (const base::InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 void expect_told(const std::string& message, const std::vector<std::string>& told) {

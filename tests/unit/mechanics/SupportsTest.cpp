@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/Error.hpp"
+#include "Refusal.hpp"
 #include "mechanics/Supports.hpp"
-#include "support/Specimen.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -13,17 +12,6 @@ namespace {
 using test::hold;
 using test::Specimen;
 using test::stretch;
-
-base::Communicator world() { return base::Communicator::world(); }
-
-std::string refusal(const Specimen& specimen) {
-  try {
-    specimen.balance(world());
-  } catch (const base::InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Supports, ImposeTheLoadFactorsShare) {
   Specimen specimen;

@@ -1,0 +1,25 @@
+#pragma once
+
+/// \file
+/// What is said of a body that is refused.
+
+#include <string>
+
+#include "base/Error.hpp"
+#include "support/Specimen.hpp"
+
+namespace stroma::mechanics {
+
+inline base::Communicator world() { return base::Communicator::world(); }
+
+/// Empty for a body that is taken.
+inline std::string refusal(const test::Specimen& specimen) {
+  try {
+    specimen.balance(world());
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace stroma::mechanics
