@@ -33,6 +33,16 @@ void check_force(const std::string& where, const std::string& of_what, double le
       where.c_str(), least >= smallest ? most : least, of_what.c_str(), smallest, largest));
 }
 
+/// Multigrid keeps stiffnesses and residuals in single precision, which ends at 1e-38 and 1e38.
+void check_single(const std::string& where, const std::string& of_what, double least, double most) {
+  constexpr double smallest = 1e-28, largest = 1e32;
+  if (least >= smallest && most <= largest) return;
+  throw base::InputError(base::format(
+      "%s: %s of the size of %.3g are beyond what single precision, in which preconditioners "
+      "compute, holds with all digits; admissible: sizes between %g and %g",
+      where.c_str(), of_what.c_str(), least >= smallest ? most : least, smallest, largest));
+}
+
 /// Displacements that a condition prescribes at the corners of the body.
 Range displacements(const BoundaryCondition& condition, const grid::Grid& body) {
   const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
@@ -63,11 +73,15 @@ void check_scales(const Problem& problem) {
 
   check_force("Materials", "moduli times areas", moduli.least * least_area,
               moduli.most * most_area);
+  check_single("Materials", "moduli [Pa] times lengths [um]", moduli.least * lengths.least,
+               moduli.most * lengths.most);
+  double largest_force = 0.0;
   for (const auto& [name, condition] : problem.conditions) {
     const Range u = displacements(condition, body);
     if (u.empty()) continue;
     check_force("Boundary Conditions|" + name, "modulus times length times displacement",
                 moduli.least * lengths.least * u.least, moduli.most * lengths.most * u.most);
+    largest_force = std::max(largest_force, moduli.most * lengths.most * u.most);
   }
   for (const auto& [name, force] : problem.forces) {
     const std::string where = "External Forces|" + name;
@@ -78,11 +92,14 @@ void check_scales(const Problem& problem) {
     };
     if (force.traction) {
       const Range t = range_of(*force.traction);
+      largest_force = std::max(largest_force, t.most * most_area);
       if (!t.empty())
         check_force(where, "traction times area", t.least * least_area, t.most * most_area);
     } else {
       const Range b = range_of(force.body_force ? *force.body_force : *force.acceleration);
       const double unit = force.body_force ? 1.0 : 1e-6;
+      largest_force = std::max(largest_force, unit * (force.body_force ? 1.0 : densities.most) *
+                                                  b.most * most_area * lengths.most);
       if (!b.empty())
         check_force(
             where, "force per volume times volume",
@@ -91,6 +108,9 @@ void check_scales(const Problem& problem) {
             unit * (force.body_force ? 1.0 : densities.most) * b.most * most_area * lengths.most);
     }
   }
+  if (largest_force > 0.0)
+    check_single(problem.conditions.empty() ? "External Forces" : "Boundary Conditions",
+                 "forces [pN]", largest_force, largest_force);
 }
 
 }  // namespace stroma::mechanics

@@ -48,6 +48,9 @@ TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {
   const std::pair<std::string, std::string> settings[] = {
       {"Materials|ball|Shear Modulus [Pa]=1e200", "Materials"},
       {"Materials|gel|Shear Modulus [Pa]=1e-200", "Materials"},
+      {"Materials|gel|Shear Modulus [Pa]=1e-40", "single precision"},
+      {"Materials|ball|Shear Modulus [Pa]=1e40", "single precision"},
+      {"Boundary Conditions|top|Strain=1e-40", "single precision"},
       {"Boundary Conditions|top|Strain=1e-200", "Boundary Conditions|top"},
       {"Boundary Conditions|top|Strain=-1e180", "Boundary Conditions|top"},
       {"External Forces|f|Body Force [pN/um^3]=[0, 0, 1e-190]", "External Forces|f"},
