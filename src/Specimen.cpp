@@ -1,11 +1,13 @@
 #include "Specimen.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "MemoryEstimate.hpp"
 #include "base/Error.hpp"
 #include "base/Stage.hpp"
 #include "grid/ShapeGrid.hpp"
+#include "image/Fragments.hpp"
 #include "image/ReadVolume.hpp"
 #include "particles/Migration.hpp"
 
@@ -32,18 +34,54 @@ double filled_fraction(const base::Communicator& communicator, const image::Labe
   return static_cast<double>(communicator.sum(filled)) / static_cast<double>(labels.voxels());
 }
 
+/// How far the conditions and tractions on the body's faces reach into the image, in whole elements
+/// whose particles have shape functions there.
+image::FaceReach reach_of_conditions(const DeckParameters& p, const grid::Grid& body,
+                                     const image::LabelVolume& labels) {
+  std::vector<mechanics::Face> faces;
+  for (const auto& [name, condition] : p.boundary_conditions.conditions)
+    if (condition.face) faces.push_back(*condition.face);
+  for (const auto& [name, force] : p.external_forces.forces)
+    if (force.face) faces.push_back(*force.face);
+  const int elements = grid::grid_for(p.grid.shape_functions, body).width - 1;
+  image::FaceReach reach{};
+  for (const mechanics::Face face : faces)
+    for (int d = 0; d < 3; ++d) {
+      if (face != mechanics::Face::all && mechanics::axis_of(face) != d) continue;
+      const auto voxels = static_cast<std::int64_t>(
+          std::ceil(elements * body.spacing[d] / labels.voxel_size[static_cast<std::size_t>(d)]));
+      for (const bool is_upper : {false, true})
+        if (face == mechanics::Face::all || mechanics::is_upper(face) == is_upper)
+          reach[static_cast<std::size_t>(d)][is_upper ? 1 : 0] = voxels;
+    }
+  return reach;
+}
+
+/// Whether forces act on all of the body, wherever it is.
+bool has_volume_forces(const mechanics::NamedForces& forces) {
+  return std::any_of(forces.begin(), forces.end(),
+                     [](const auto& named) { return !named.second.traction; });
+}
+
 }  // namespace
 
 image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
                                image::ImageSummary& summary) {
   const base::Stage stage("image");
   const DeckParameters& p = deck.parameters;
-  return image::read_labels(
+  image::LabelVolume labels = image::read_labels(
       communicator, p.image, deck.document.folder(), &summary,
       [&](const image::ImageSummary& found) {  // how much of it is empty, nobody knows yet
         const grid::Grid body = body_of(p, found.size, found.voxel_size.um);
         require_memory(communicator, p, found.size, body, 0.0);
       });
+  if (!has_volume_forces(p.external_forces.forces)) {  // a fragment that they load is an error
+    const grid::Grid body = body_of(p, labels.size, labels.voxel_size);
+    const std::string note =
+        image::leave_out_fragments(communicator, labels, reach_of_conditions(p, body, labels));
+    if (!note.empty()) summary.notes.push_back(note);
+  }
+  return labels;
 }
 
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,

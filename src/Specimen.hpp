@@ -33,9 +33,10 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen);
 /// What may make its solution hard. Collective.
 solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance);
 
-/// Reads and segments the deck's image. The labels are kept only as long as they are needed: they
-/// and the particles are the larger part of what a rank holds before it solves. Collective.
-/// \throws base::InputError when image and deck do not go together
+/// Reads and segments the deck's image, and leaves out what floats in empty space. The labels are
+/// kept only as long as they are needed: they and the particles are the larger part of what a rank
+/// holds before it solves. Collective. \throws base::InputError when image and deck do not go
+/// together
 image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
                                image::ImageSummary& summary);
 

@@ -237,10 +237,8 @@ std::vector<std::int64_t> Objects::sum_over_pieces(std::vector<std::int64_t> of_
 
 std::int64_t Objects::count(std::int64_t smallest) const {
   std::int64_t objects = 0;
-  for (std::size_t p = 0; p < id_.size(); ++p) {
-    const bool is_first = id_[p] == first_id_ + static_cast<std::int64_t>(p);
-    if (is_first && size_[p] >= smallest) ++objects;
-  }
+  for (std::size_t p = 0; p < id_.size(); ++p)
+    if (is_first(p) && size_[p] >= smallest) ++objects;
   return communicator_.sum(objects);
 }
 

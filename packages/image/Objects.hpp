@@ -37,6 +37,10 @@ class Objects {
   std::size_t pieces() const { return id_.size(); }
   /// The piece that a voxel of this slab belongs to. \pre size_at(voxel) > 0
   std::size_t piece_at(std::size_t voxel) const { return static_cast<std::size_t>(piece_[voxel]); }
+  /// Whether a piece is the one, of all ranks, that its object is counted by.
+  bool is_first(std::size_t piece) const {
+    return id_[piece] == first_id_ + static_cast<std::int64_t>(piece);
+  }
   /// A number of each piece of this slab, summed over all pieces of its object: (piece).
   /// Collective.
   std::vector<std::int64_t> sum_over_pieces(std::vector<std::int64_t> of_pieces) const;

@@ -7,11 +7,14 @@ namespace {
 
 /// With so much of it or more, barely filled elements are no harder to solve for than others.
 constexpr double firm_stabilization = 1e-3;
+/// Beside barely filled elements, those filled by so much or less are solved for together with
+/// them.
+constexpr double soft_share = 0.7;
 
-Kokkos::View<double*, grid::Device> missing_in(const MomentumBalance& balance) {
+Kokkos::View<double*, grid::Device> missing_in(const MomentumBalance& balance, double share = 0.5) {
   const grid::Halo& halo = balance.halo();
-  return mechanics::missing_volume(element_box(halo.partition(), halo.communicator().rank()),
-                        balance.particles());
+  return missing_volume(element_box(halo.partition(), halo.communicator().rank()),
+                        balance.particles(), share);
 }
 
 }  // namespace
@@ -35,7 +38,8 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
 }
 
 Kokkos::View<double*, grid::Device> missing_volume(
-    const transfer::ElementBox& box, const particles::Particles<grid::Device>& particles) {
+    const transfer::ElementBox& box, const particles::Particles<grid::Device>& particles,
+    double share) {
   const std::size_t count = particles.element_begin.extent(0) - 1;
   const Kokkos::View<double*, grid::Device> missing("missing volume", count);
   Kokkos::parallel_for(
@@ -57,7 +61,7 @@ Kokkos::View<double*, grid::Device> missing_volume(
           box.within_ends(d, index[d], lower, upper);
           element_volume *= (upper - lower) * box.spacing[d];
         }
-        if (filled > 0.0 && filled < 0.5 * element_volume) missing(e) = element_volume - filled;
+        if (filled > 0.0 && filled < share * element_volume) missing(e) = element_volume - filled;
       });
   return missing;
 }
@@ -84,19 +88,14 @@ std::string barely_filled_note(const MomentumBalance& balance) {
 }
 
 Kokkos::View<std::uint8_t*, grid::Device> barely_held_elements(const MomentumBalance& balance) {
-  if (balance.problem().stabilization >= firm_stabilization) return {};
-  const auto missing = missing_in(balance);
+  if (balance.problem().stabilization >= firm_stabilization || count_barely_filled(balance) == 0)
+    return {};
+  const auto missing = missing_in(balance, soft_share);
   const Kokkos::View<std::uint8_t*, grid::Device> held("barely held", missing.extent(0));
-  std::int64_t count = 0;
-  Kokkos::parallel_reduce(
+  Kokkos::parallel_for(
       "barely held",
       Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(missing.extent(0))),
-      KOKKOS_LAMBDA(const int e, std::int64_t& sum) {
-        held(e) = missing(e) > 0.0 ? 1 : 0;
-        sum += held(e);
-      },
-      count);
-  if (count == 0) return {};
+      KOKKOS_LAMBDA(const int e) { held(e) = missing(e) > 0.0 ? 1 : 0; });
   return held;
 }
 

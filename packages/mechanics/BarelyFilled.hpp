@@ -12,11 +12,12 @@ namespace stroma::mechanics {
 /// A rank's part of a grid as kernels see it.
 transfer::ElementBox element_box(const grid::Partition& partition, int rank);
 
-/// (local element) the volume that an element which particles fill by less than half lacks to being
-/// full, between the ends of the grid [um^3]; 0 for all others. Particles have their volume at the
-/// base configuration.
+/// (local element) the volume that an element lacks to being full, between the ends of the grid
+/// [um^3]; 0 where particles fill it by a larger share, and where they do not touch it. Particles
+/// have their volume at the base configuration.
 Kokkos::View<double*, grid::Device> missing_volume(
-    const transfer::ElementBox& box, const particles::Particles<grid::Device>& particles);
+    const transfer::ElementBox& box, const particles::Particles<grid::Device>& particles,
+    double share = 0.5);
 
 /// How many elements, of all ranks, are filled by less than half. Collective.
 std::int64_t count_barely_filled(const MomentumBalance& balance);
@@ -24,8 +25,9 @@ std::int64_t count_barely_filled(const MomentumBalance& balance);
 /// What the user should know of them, in a sentence; empty where there are none. Collective.
 std::string barely_filled_note(const MomentumBalance& balance);
 
-/// (local element) 1: filled by less than half, and stabilised by so little, or not at all, that
-/// its nodes are hard to solve for. Empty where this rank has none.
+/// (local element) 1: filled by less than 0.7, in a body that is stabilised by so little, or not at
+/// all, that its nodes are hard to solve for. Empty where no element of any rank is filled by less
+/// than half: those a little fuller matter beside such ones alone. Collective.
 Kokkos::View<std::uint8_t*, grid::Device> barely_held_elements(const MomentumBalance& balance);
 
 /// The share of the fictitious points in the work of the body's deformation, u . f_fictitious / u .

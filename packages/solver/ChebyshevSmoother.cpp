@@ -9,7 +9,7 @@ namespace {
 using grid::NodeField;
 
 constexpr int power_iterations = 12;
-constexpr int patched_power_iterations = 24;  // overlapping patches crowd their largest eigenvalues
+constexpr int patched_power_iterations = 40;  // overlapping patches crowd their largest eigenvalues
 constexpr double margin = 1.1;
 
 /// A number between -1 and 1 that follows from a node's place in the whole grid.
@@ -37,8 +37,9 @@ double dot(const NodeField<float>& a, const NodeField<float>& b,
 }  // namespace
 
 void ChebyshevSmoother::patch(const grid::BoxExchange& exchange,
-                              const ElementPatches::Chosen& chosen) {
+                              const ElementPatches::Chosen& chosen, int degree) {
   patches_ = ElementPatches(exchange, chosen);
+  if (!patches_.empty()) degree_ = degree;
 }
 
 void ChebyshevSmoother::add_step(const NodeField<float>& b, const NodeField<float>* y, float keep,

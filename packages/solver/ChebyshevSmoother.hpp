@@ -34,8 +34,9 @@ struct LevelFields {
 class ChebyshevSmoother {
  public:
   ChebyshevSmoother(const grid::LevelGrid& grid, int degree) : diagonal_(grid), degree_(degree) {}
-  /// Chooses elements for local solves. Collective.
-  void patch(const grid::BoxExchange& exchange, const ElementPatches::Chosen& chosen);
+  /// Chooses elements for local solves; where any rank does, the polynomial is of another degree.
+  /// Collective.
+  void patch(const grid::BoxExchange& exchange, const ElementPatches::Chosen& chosen, int degree);
 
   /// D^-1, and the bound: power iterations from a start that does not depend on the ranks, and a
   /// margin, for they come from below. Overwrites the fields. Collective.

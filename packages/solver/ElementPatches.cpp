@@ -1,7 +1,9 @@
 #include "solver/ElementPatches.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
+#include <iterator>
 
 namespace stroma::solver {
 namespace {
@@ -51,42 +53,30 @@ void factorize(int n, std::vector<float>& packed) {
   }
 }
 
+/// Calls visit(element) for the elements of a box that share a node with one of them.
+template <class Visit>
+void for_each_neighbour(const std::array<int, 3>& elements, int element, const Visit& visit) {
+  const int at[3] = {element % elements[0], element / elements[0] % elements[1],
+                     element / (elements[0] * elements[1])};
+  for (int k = std::max(at[2] - 1, 0); k <= std::min(at[2] + 1, elements[2] - 1); ++k)
+    for (int j = std::max(at[1] - 1, 0); j <= std::min(at[1] + 1, elements[1] - 1); ++j)
+      for (int i = std::max(at[0] - 1, 0); i <= std::min(at[0] + 1, elements[0] - 1); ++i)
+        visit(i + elements[0] * (j + elements[1] * k));
+}
+
 }  // namespace
 
 ElementPatches::ElementPatches(const grid::BoxExchange& exchange, const Chosen& chosen) {
   const grid::LevelGrid& grid = exchange.grid();
   for (int d = 0; d < 3; ++d) nodes_[d] = grid.nodes(d);
-  const bool is_flat = nodes_[2] == 1;
-  const int elements[3] = {nodes_[0] - 1, nodes_[1] - 1, is_flat ? 1 : nodes_[2] - 1};
-  const auto is_chosen = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), chosen);
-  const auto holds_chosen = [&](const std::array<int, 3>& first) {
-    for (int k = first[2]; k < std::min(first[2] + edge, elements[2]); ++k)
-      for (int j = first[1]; j < std::min(first[1] + edge, elements[1]); ++j)
-        for (int i = first[0]; i < std::min(first[0] + edge, elements[0]); ++i)
-          if (is_chosen(static_cast<std::size_t>(i + elements[0] * (j + elements[1] * k))) != 0)
-            return true;
-    return false;
-  };
-  for (int colour = 0; colour < 8 && is_chosen.extent(0) != 0; ++colour) {
-    const int start[3] = {edge * (colour & 1), edge * (colour >> 1 & 1), edge * (colour >> 2)};
-    for (int k = start[2]; k < elements[2]; k += 2 * edge)
-      for (int j = start[1]; j < elements[1]; j += 2 * edge)
-        for (int i = start[0]; i < elements[0]; i += 2 * edge) {
-          Patch patch{};
-          patch.first = {i, j, k};
-          if (!holds_chosen(patch.first)) continue;
-          for (std::size_t d = 0; d < 3; ++d)
-            patch.extent[d] = std::min(edge + 1, nodes_[d] - patch.first[d]);
-          patches_.push_back(patch);
-        }
-    colour_[static_cast<std::size_t>(colour) + 1] = patches_.size();
-  }
+  find_patches(chosen);
   is_empty_ =
       exchange.communicator().sum<std::int64_t>(static_cast<std::int64_t>(patches_.size())) == 0;
   if (is_empty_) return;
+  sort_by_colour();
   sum_ = NodeField<float>("patches' sum", grid);
   for (const Patch& patch : patches_)
-    for_each_node(patch, [&](int, int line, int i) { sum_.line(0, line)[i] = 1.0f; });
+    for (const int n : patch.nodes) sum_.line(0, n / nodes_[0])[n % nodes_[0]] = 1.0f;
   exchange.sum(sum_);
   patched_ = Kokkos::View<std::uint8_t*, grid::Device>(
       "patched", static_cast<std::size_t>(nodes_[0]) * nodes_[1] * nodes_[2]);
@@ -95,28 +85,73 @@ ElementPatches::ElementPatches(const grid::BoxExchange& exchange, const Chosen& 
       patched_(i + nodes_[0] * line) = sum_.line(0, line)[i] > 0.0f ? 1 : 0;
 }
 
-/// Calls visit(node of the patch, line of the box, node of the line).
-template <class Visit>
-void ElementPatches::for_each_node(const Patch& patch, const Visit& visit) const {
-  int number = 0;
-  for (int k = 0; k < patch.extent[2]; ++k)
-    for (int j = 0; j < patch.extent[1]; ++j)
-      for (int i = 0; i < patch.extent[0]; ++i)
-        visit(number++, patch.first[1] + j + nodes_[1] * (patch.first[2] + k), patch.first[0] + i);
+/// Gathers clusters breadth first, each from the first chosen element that is in none.
+void ElementPatches::find_patches(const Chosen& chosen) {
+  const bool is_flat = nodes_[2] == 1;
+  const std::array<int, 3> elements{nodes_[0] - 1, nodes_[1] - 1, is_flat ? 1 : nodes_[2] - 1};
+  auto is_free = Kokkos::create_mirror(Kokkos::HostSpace(), chosen);
+  Kokkos::deep_copy(is_free, chosen);
+  std::vector<int> cluster;
+  const auto take = [&](int element) {
+    if (cluster.size() == most_elements || is_free(static_cast<std::size_t>(element)) == 0) return;
+    is_free(static_cast<std::size_t>(element)) = 0;
+    cluster.push_back(element);
+  };
+  for (std::size_t start = 0; start < is_free.extent(0); ++start) {
+    cluster.clear();
+    take(static_cast<int>(start));
+    if (cluster.empty()) continue;
+    for (std::size_t next = 0; next < cluster.size(); ++next)
+      for_each_neighbour(elements, cluster[next], take);
+    Patch patch;
+    for (const int e : cluster)
+      for (int corner = 0; corner < (is_flat ? 4 : 8); ++corner)
+        patch.nodes.push_back(e % elements[0] + (corner & 1) +
+                              nodes_[0] *
+                                  (e / elements[0] % elements[1] + (corner >> 1 & 1) +
+                                   nodes_[1] * (e / (elements[0] * elements[1]) + (corner >> 2))));
+    std::sort(patch.nodes.begin(), patch.nodes.end());
+    patch.nodes.erase(std::unique(patch.nodes.begin(), patch.nodes.end()), patch.nodes.end());
+    patches_.push_back(std::move(patch));
+  }
+}
+
+/// Gives each patch the first colour that none of its nodes has met. Its nodes meet 26 other
+/// elements for each of its own at most.
+void ElementPatches::sort_by_colour() {
+  using Colours = std::bitset<26 * most_elements>;
+  std::vector<Colours> met(static_cast<std::size_t>(nodes_[0]) * nodes_[1] * nodes_[2]);
+  std::vector<std::vector<Patch>> of_colour;
+  for (Patch& patch : patches_) {
+    Colours taken;
+    for (const int n : patch.nodes) taken |= met[static_cast<std::size_t>(n)];
+    std::size_t colour = 0;
+    while (taken[colour]) ++colour;
+    for (const int n : patch.nodes) met[static_cast<std::size_t>(n)].set(colour);
+    if (colour == of_colour.size()) of_colour.emplace_back();
+    of_colour[colour].push_back(std::move(patch));
+  }
+  patches_.clear();
+  colour_ = {0};
+  for (auto& patches : of_colour) {
+    std::move(patches.begin(), patches.end(), std::back_inserter(patches_));
+    colour_.push_back(patches_.size());
+  }
 }
 
 /// \param row  of the nodes' own blocks
 void ElementPatches::find_unknowns(Patch& patch, const NodeField<float> (&row)[3]) const {
+  patch.unknown.clear();
   patch.place.clear();
-  for_each_node(patch, [&](int number, int line, int i) {
+  for (const int node : patch.nodes)
     for (int c = 0; c < 3; ++c) {
+      const int line = node / nodes_[0], i = node % nodes_[0];
       const bool is_live = row[c].line(c, line)[i] > 0.0f;
-      patch.unknown[static_cast<std::size_t>(3 * number + c)] = is_live ? patch.size() : -1;
+      patch.unknown.push_back(is_live ? patch.size() : -1);
       if (is_live)
         patch.place.push_back(
             static_cast<std::size_t>(sum_.line(c, line) + i - sum_.values.data()));
     }
-  });
   const auto n = static_cast<std::size_t>(patch.size());
   patch.C.assign(n * (n + 1) / 2, 0.0f);
 }
@@ -124,24 +159,23 @@ void ElementPatches::find_unknowns(Patch& patch, const NodeField<float> (&row)[3
 /// Puts the blocks that couple nodes to those a step further on into a patch's matrix.
 void ElementPatches::add_entries(Patch& patch, const std::array<int, 3>& step,
                                  const NodeField<float> (&row)[3]) const {
-  const auto& extent = patch.extent;
-  const int distance = step[0] + extent[0] * (step[1] + extent[1] * step[2]);
-  for_each_node(patch, [&](int number, int line, int i) {
-    const std::array<int, 3> there{number % extent[0] + step[0],
-                                   number / extent[0] % extent[1] + step[1],
-                                   number / (extent[0] * extent[1]) + step[2]};
-    for (std::size_t d = 0; d < 3; ++d)
-      if (there[d] < 0 || there[d] >= extent[d]) return;
-    for (int c = 0; c < 3; ++c)
-      for (int e = 0; e < 3; ++e) {
-        const int a = patch.unknown[static_cast<std::size_t>(3 * number + c)];
-        const int b = patch.unknown[static_cast<std::size_t>(3 * (number + distance) + e)];
+  const int distance = step[0] + nodes_[0] * (step[1] + nodes_[1] * step[2]);
+  for (std::size_t here = 0; here < patch.nodes.size(); ++here) {
+    const int node = patch.nodes[here], line = node / nodes_[0], i = node % nodes_[0];
+    const int next[2] = {i + step[0], line % nodes_[1] + step[1]};
+    if (next[0] < 0 || next[0] >= nodes_[0] || next[1] < 0 || next[1] >= nodes_[1]) continue;
+    const auto found = std::lower_bound(patch.nodes.begin(), patch.nodes.end(), node + distance);
+    if (found == patch.nodes.end() || *found != node + distance) continue;
+    const auto there = static_cast<std::size_t>(found - patch.nodes.begin());
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t e = 0; e < 3; ++e) {
+        const int a = patch.unknown[3 * here + c], b = patch.unknown[3 * there + e];
         if (a < 0 || b < 0) continue;
         const int lower = std::max(a, b), upper = std::min(a, b);
         patch.C[column(patch.size(), upper) + static_cast<std::size_t>(lower)] =
-            row[c].line(e, line)[i];
+            row[c].line(static_cast<int>(e), line)[i];
       }
-  });
+  }
 }
 
 void ElementPatches::compute(const mechanics::Stencil& stencil, const grid::BoxExchange& exchange) {
@@ -204,7 +238,7 @@ void ElementPatches::add_step(const NodeField<float>& b, const NodeField<float>*
                               const grid::BoxExchange& exchange) const {
   sum_.zero();
   const float* const y_values = y == nullptr ? nullptr : y->values.data();
-  for (std::size_t colour = 0; colour < 8; ++colour)
+  for (std::size_t colour = 0; colour + 1 < colour_.size(); ++colour)
     Kokkos::parallel_for(
         "element patches",
         Kokkos::RangePolicy<grid::ExecutionSpace>(static_cast<int>(colour_[colour]),

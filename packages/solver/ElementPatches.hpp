@@ -11,21 +11,20 @@
 
 namespace stroma::solver {
 
-/// The additive Schwarz operator of chosen elements e,
+/// The additive Schwarz operator of clusters e of chosen elements,
 ///
 ///     z = sum_e R_e^T (R_e K R_e^T)^-1 R_e r,
 ///
-/// R_e the restriction to the unknowns of the element's nodes. A particle in the corner of an
-/// element resists 6 of its 24 unknowns, and not by one node alone: such modes are as local as they
-/// are soft. No coarser grid sees them, but a solve with all nodes of the element does.
+/// R_e the restriction to the unknowns of the cluster's nodes. A particle in the corner of an
+/// element resists 6 of its 24 unknowns, and not by one node alone; a row of such elements along an
+/// edge of the body bends as a whole. Such modes are as local as they are soft. No coarser grid
+/// sees them, but a solve with all nodes of the cluster does. A cluster is what the nodes of chosen
+/// elements join, in parts of 8 elements at most, within a rank.
 ///
 /// Symmetric and positive definite whatever the stencil holds: each block's factors L D L^T are
 /// kept as C = D^-1/2 L^-1, and pivots that rounding, or a particle that buckles, has left without
-/// a sign are replaced. In single precision; 300 floats an element. Nodes are added to in an order
-/// that does not depend on the number of threads.
-///
-/// Blocks of 3 x 3 x 3 elements take a third to a half of the iterations where they are few, but
-/// cost more time, and CG broke down with them where a fragment hangs on a node.
+/// a sign are replaced. In single precision; 300 floats for one element, up to 14,706 for eight.
+/// Nodes are added to in an order that does not depend on the number of threads.
 class ElementPatches {
  public:
   /// (local element of the rank's box, x fastest) not 0: chosen.
@@ -49,19 +48,19 @@ class ElementPatches {
                 const grid::BoxExchange& exchange) const;
 
  private:
-  static constexpr int edge = 1;  // elements of a patch, per direction
-  static constexpr int most = 3 * (edge + 1) * (edge + 1) * (edge + 1);
+  static constexpr int most_elements = 8;
+  static constexpr int most = 3 * (7 * most_elements + 1);  // unknowns, where nodes alone join them
 
   struct Patch {
-    std::array<int, 3> first, extent;  // nodes
-    std::array<int, most> unknown;     // (3 node + c) number among those with stiffness, or -1
-    std::vector<std::size_t> place;    // (unknown) in a NodeField's values
-    std::vector<float> C;              // column by column from the diagonal down; first, K there
+    std::vector<int> nodes;          // of the box, x fastest, ascending
+    std::vector<int> unknown;        // (3 node + c) number among those with stiffness, or -1
+    std::vector<std::size_t> place;  // (unknown) in a NodeField's values
+    std::vector<float> C;            // column by column from the diagonal down; first, K there
     int size() const { return static_cast<int>(place.size()); }
   };
 
-  template <class Visit>
-  void for_each_node(const Patch& patch, const Visit& visit) const;
+  void find_patches(const Chosen& chosen);
+  void sort_by_colour();
   void find_unknowns(Patch& patch, const grid::NodeField<float> (&row)[3]) const;
   void add_entries(Patch& patch, const std::array<int, 3>& step,
                    const grid::NodeField<float> (&row)[3]) const;
@@ -69,8 +68,8 @@ class ElementPatches {
 
   int nodes_[3] = {0, 0, 0};
   bool is_empty_ = true;
-  std::vector<Patch> patches_;           // sorted by colour: those of one share no node
-  std::array<std::size_t, 9> colour_{};  // first patch of each
+  std::vector<Patch> patches_;       // sorted by colour: those of one share no node
+  std::vector<std::size_t> colour_;  // first patch of each, and the number of patches
   Kokkos::View<std::uint8_t*, grid::Device> patched_;
   grid::NodeField<float> sum_;
 };

@@ -66,7 +66,7 @@ GeometricMultigrid::GeometricMultigrid(const grid::RCP<const mechanics::StencilM
     if (plan.is_direct) coarsest_.emplace(plan.grid);
     if (plan.directions != nowhere) levels_.back()->transfer.emplace(plan.grid, plan.directions);
   }
-  levels_.front()->smoother.patch(at(0).exchange, patched);
+  levels_.front()->smoother.patch(at(0).exchange, patched, settings.patched_degree);
 }
 
 const mechanics::Stencil& GeometricMultigrid::stencil(int level) const {

@@ -23,6 +23,9 @@ std::array<bool, 3> directions_to_coarsen(const grid::LevelGrid& grid,
 
 struct MultigridSettings {
   int smoother_degree = 3;
+  /// Of the finest level where elements are chosen for local solves: it finds what is softer than
+  /// an element and longer.
+  int patched_degree = 5;
   /// Operations to factorise a level: the first that takes at most so many is the coarsest.
   double direct_work = 3e8;
 };

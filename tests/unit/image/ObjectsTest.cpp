@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/CounterRandom.hpp"
+#include "image/Fragments.hpp"
 #include "image/Objects.hpp"
 
 namespace stroma::test {
@@ -129,6 +130,37 @@ TEST(Objects, SmallOnesBecomeLabelZero) {
     left += label;
   }
   EXPECT_EQ(world.sum(left), 8);
+}
+
+/// A column from bottom to top, a speck beside it that touches it along an edge only, another on
+/// the floor and one that hangs from the ceiling.
+std::int32_t label_with_specks(std::int64_t voxel) {
+  const std::int64_t x = voxel % 6, y = voxel / 6 % 5, z = voxel / 30;
+  if (x < 2 && y < 2) return 0;
+  if (x == 2 && y == 2 && (z == 3 || z == 4)) return 1;
+  if (x == 5 && y == 4) return z < 2 || z == 6 ? 0 : -1;
+  return -1;
+}
+
+TEST(Fragments, AreWhatNoFaceJoinsToAConditionsReach) {
+  const auto world = base::Communicator::world();
+  const Size size{6, 5, 7};
+  const auto filled = [&](const image::LabelVolume& labels) {
+    return world.sum<std::int64_t>(std::count_if(labels.values.begin(), labels.values.end(),
+                                                 [](auto label) { return label >= 0; }));
+  };
+  image::LabelVolume labels = volume_of(size, label_with_specks);
+  EXPECT_EQ(filled(labels), 28 + 2 + 3);
+  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{0, 0}, {0, 0}, {2, 1}}}).substr(0, 70),
+            "1 fragment of the body, 2 voxels or 6.1 % of it, is left out: no face o");
+  EXPECT_EQ(filled(labels), 28 + 3);
+  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{0, 0}, {0, 0}, {0, 0}}}), "")
+      << "nothing is held";
+  EXPECT_EQ(filled(labels), 28 + 3);
+  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{1, 0}, {0, 0}, {0, 0}}}).substr(0, 80),
+            "2 fragments of the body, 3 voxels in all (the largest: 2) or 9.7 % of it, are le");
+  EXPECT_EQ(filled(labels), 28);
+  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{1, 0}, {0, 0}, {0, 0}}}), "");
 }
 
 }  // namespace
