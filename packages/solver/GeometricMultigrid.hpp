@@ -25,7 +25,7 @@ struct MultigridSettings {
   int smoother_degree = 3;
   /// Of the finest level where elements are chosen for local solves: it finds what is softer than
   /// an element and longer.
-  int patched_degree = 5;
+  int patched_degree = 8;
   /// Operations to factorise a level: the first that takes at most so many is the coarsest.
   double direct_work = 3e8;
 };
