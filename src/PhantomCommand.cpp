@@ -19,14 +19,15 @@ void check(const PhantomOptions& options) {
     throw base::InputError(options.output +
                            ": a phantom is written as TIFF; admissible: a name that " +
                            "ends in .tif or .tiff");
+  std::error_code reason;
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder))
+  if (!folder.empty() && !std::filesystem::is_directory(folder, reason))
     throw base::InputError(options.output + ": there is no folder " + folder.string());
-  std::error_code ignored;
-  const bool exists =
-      std::filesystem::exists(std::filesystem::symlink_status(options.output, ignored));
-  if (exists &&
-      (std::filesystem::is_symlink(options.output) || !image::is_written_by_stroma(options.output)))
+  const auto found = std::filesystem::symlink_status(options.output, reason);
+  if (!std::filesystem::status_known(found))  // a name that is too long, say
+    throw base::InputError(options.output + ": " + reason.message());
+  if (std::filesystem::exists(found) &&
+      (std::filesystem::is_symlink(found) || !image::is_written_by_stroma(options.output)))
     throw base::InputError(options.output +
                            ": exists, and is no phantom that Stroma wrote; remove it, or choose "
                            "another name");

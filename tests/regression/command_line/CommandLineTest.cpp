@@ -26,6 +26,8 @@ const Mistake mistakes[] = {
     {"phantom -o vessels.png --size 8,8,8", "ends in .tif or .tiff"},
     {"phantom -o vessels.tif --size 8,8,0", "--size: admissible: three numbers of voxels"},
     {"phantom -o nowhere/vessels.tif --size 8,8,8", "there is no folder nowhere"},
+    {"phantom -o " + std::string(300, 'a') + ".tif --size 8,8,8", "File name too long"},
+    {"phantom -o " + std::string(300, 'a') + "/b.tif --size 8,8,8", "there is no folder"},
     {"reference 'Image|Segmentaton'", "did you mean \"Image|Segmentation\"?"},
 };
 
