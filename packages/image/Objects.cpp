@@ -4,34 +4,10 @@
 #include <array>
 #include <numeric>
 
+#include "base/DisjointSets.hpp"
+
 namespace stroma::image {
 namespace {
-
-/// Sets of pieces that touch: the root of a set is its smallest member.
-class Sets {
- public:
-  std::int32_t add() {
-    parent_.push_back(static_cast<std::int32_t>(parent_.size()));
-    return parent_.back();
-  }
-  std::int32_t root(std::int32_t i) {
-    while (parent_[static_cast<std::size_t>(i)] != i) {
-      auto& parent = parent_[static_cast<std::size_t>(i)];
-      parent = parent_[static_cast<std::size_t>(parent)];
-      i = parent;
-    }
-    return i;
-  }
-  void unite(std::int32_t a, std::int32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
-  std::size_t size() const { return parent_.size(); }
-
- private:
-  std::vector<std::int32_t> parent_;
-};
 
 struct Offset {
   int x, y, z;
@@ -66,7 +42,7 @@ void Objects::find_pieces(const LabelVolume& labels, Connectivity connectivity) 
   const auto [nx, ny, nz] =
       std::array<std::int64_t, 3>{labels.size[0], labels.size[1], labels.planes};
   piece_.assign(labels.values.size(), -1);
-  Sets sets;
+  base::DisjointSets sets;
   std::size_t voxel = 0;
   for (std::int64_t k = 0; k < nz; ++k) {
     for (std::int64_t j = 0; j < ny; ++j) {
@@ -82,7 +58,7 @@ void Objects::find_pieces(const LabelVolume& labels, Connectivity connectivity) 
           if (piece < 0) {
             piece = piece_[other];
           } else if (piece != piece_[other]) {
-            sets.unite(piece, piece_[other]);
+            sets.join(piece, piece_[other]);
           }
         }
         if (piece < 0) piece = sets.add();

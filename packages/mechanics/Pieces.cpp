@@ -1,31 +1,11 @@
 #include "mechanics/Pieces.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/DisjointSets.hpp"
 
 namespace stroma::mechanics {
 namespace {
-
-/// Nodes in sets that grow together.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int root(int n) {
-    while (parent(n) != n) n = parent(n) = parent(parent(n));
-    return n;
-  }
-  void join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    if (a != b) parent(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& parent(int n) { return parent_[static_cast<std::size_t>(n)]; }
-  std::vector<int> parent_;
-};
 
 /// Calls visit(element, touched node) for each node that an element's particles touch.
 template <class Visit>
@@ -113,7 +93,7 @@ Pieces::Pieces(const grid::Halo& halo, const transfer::ElementBox& box,
   const auto count = static_cast<std::size_t>(nodes.count());
   const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), touched);
 
-  DisjointSets sets(count);
+  base::DisjointSets sets(count);
   of_element_.assign(touched.extent(0), none);  // at first, one of its nodes
   of_node_.assign(count, none);
   for_each_touched(box, width, on_host, [&](int element, int node) {
