@@ -2,7 +2,7 @@
 # Installs what Stroma needs from Debian's packages, and only what is missing; silent when there is nothing to do.
 # As root, or through sudo; where neither will do, prints the line that an administrator has to run.
 #
-#   cmake/install_dependencies.sh [demo|test]      for the program alone, or (default) for the tests as well
+#   cmake/install_dependencies.sh [demo|test|docs]      for the program alone, or (default) for the tests as well; for the docs
 set -euo pipefail
 
 packages=(
@@ -16,9 +16,14 @@ packages=(
   # command line, pictures
   libcli11-dev gnuplot-nox fonts-dejavu-core
 )
+docs=(
+  # the docs as a site, with its equations
+  python3-sphinx python3-myst-parser furo libjs-katex fonts-katex
+)
 case ${1:-test} in
   demo) ;;
   test) packages+=(ccache libgtest-dev nlohmann-json3-dev) ;;
+  docs) packages=("${docs[@]}") ;;
   *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Builds the docs as a site, build/docs/index.html; any warning is an error.
+#
+#   cmake/docs.sh [--build DIR]      what is built lies below DIR; else below build. The program must have been built there.
+set -euo pipefail
+project=$(cd "$(dirname "$0")/.." && pwd)
+build=$project/build
+case ${1:-} in
+  "") ;;
+  --build) build=$(cd "$2" && pwd) ;;
+  *) sed -n '2,4s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
+
+bash "$project/cmake/install_dependencies.sh" docs
+stroma=$build/release/bin/stroma
+site=$build/docs
+stage=$build/docs.stage
+rm -rf "$site" "$stage"
+mkdir -p "$site" "$stage/docs"
+
+# The stage: the repository's pages where they are, with the generated ones beside them.
+ln -s "$project"/*.md "$project"/LICENSE "$project"/{cmake,input_decks,packages,src,tests} "$stage"
+ln -s "$project"/docs/* "$stage/docs"
+{
+  printf '# Deck reference\n\nEverything that a deck may say, as `stroma reference` prints it.\n\n'
+  "$stroma" reference
+} >"$stage/docs/deck_reference.md"
+{
+  printf '# Study reference\n\nEverything that the deck of a study may say, as `stroma reference Study` prints it.\n\n'
+  "$stroma" reference Study
+} >"$stage/docs/study_reference.md"
+
+sphinx-build -q -W --keep-going -b html -c "$project/docs/site" -d "$stage/.doctrees" "$stage" "$site"
+cp "$site/README.html" "$site/index.html"
+rm -rf "$stage"
+echo "docs: $site/index.html"
