@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the docs as a site, build/docs/index.html; any warning is an error.
+# Builds the docs as a site, build/docs/index.html; any warning is an error, and any claim whose test is not there.
 #
 #   cmake/docs.sh [--build DIR]      what is built lies below DIR; else below build. The program must have been built there.
 set -euo pipefail
@@ -12,6 +12,8 @@ case ${1:-} in
 esac
 
 bash "$project/cmake/install_dependencies.sh" docs
+python3 "$project/cmake/check_claims.py"
+
 stroma=$build/release/bin/stroma
 site=$build/docs
 stage=$build/docs.stage
