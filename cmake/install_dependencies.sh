@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs what Stroma needs from Debian's packages, and only what is missing; silent when there is nothing to do.
 # As root, or through sudo; where neither will do, prints the line that an administrator has to run.
 #
-#   cmake/install_dependencies.sh [demo|test|docs]      for the program alone, or (default) for the tests as well; for the docs
+#   cmake/install_dependencies.sh [demo|test|docs|lint]      for the program alone, or (default) for the tests as well; for the
+#                                                            docs; for cmake/lint.sh
 set -euo pipefail
 
 packages=(
@@ -20,11 +22,16 @@ docs=(
   # the docs as a site, with its equations
   python3-sphinx python3-myst-parser furo libjs-katex fonts-katex
 )
+lint=(
+  # formatting and spelling; clang-tidy, from Debian 12's security updates: those before 22 take four times as long
+  git python3 clang-format-14 codespell clang-tidy-22
+)
 case ${1:-test} in
   demo) ;;
   test) packages+=(ccache libgtest-dev nlohmann-json3-dev) ;;
   docs) packages=("${docs[@]}") ;;
-  *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  lint) packages=("${lint[@]}") ;;
+  *) sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query >/dev/null; then

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# What can be checked without running the program.
+#
+#   cmake/lint.sh text             formatting, spelling, links of the pages, licence lines: seconds
+#   cmake/lint.sh tidy [BUILD]     clang-tidy over BUILD/compile_commands.json (default: build/release, configured if it
+#                                  is not): minutes, but what has not changed since it passed is not looked at again
+#   cmake/lint.sh                  both
+#   cmake/lint.sh format           formats the sources in place
+#
+# `cmake/install_dependencies.sh lint` installs what is needed. CLANG_FORMAT and CLANG_TIDY name other programs: clang-format has to
+# be of version 14, for each version formats in its own way, and clang-tidy of 22 or later, for those before spend
+# most of their time on the headers of Trilinos.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+need() {
+  command -v "$1" >/dev/null && return
+  echo "lint.sh: $1 is missing: $2" >&2
+  exit 1
+}
+clang_format=${CLANG_FORMAT:-clang-format-14}
+export CLANG_TIDY=${CLANG_TIDY:-clang-tidy-22}
+debian="bash cmake/install_dependencies.sh lint, on Debian 12"
+
+format() { # format OPTION...
+  need "$clang_format" "$debian; elsewhere pip install clang-format==14.0.6 and CLANG_FORMAT=clang-format"
+  git ls-files -z --cached --others --exclude-standard '*.hpp' '*.cpp' | xargs -0 "$clang_format" "$@"
+}
+spelling() {
+  need codespell "$debian"
+  git ls-files -z --cached --others --exclude-standard '*.md' '*.hpp' '*.cpp' '*.py' '*.sh' '*.cmake' '*.txt' '*.yaml' '*.yml' \
+    '*.xml' '*.cff' '.ci/run' | xargs -0 codespell
+}
+
+text() {
+  local failed=0
+  for check in "format --dry-run --Werror" spelling "python3 cmake/lint/links.py" "python3 cmake/check_claims.py" \
+    "python3 cmake/lint/licence_lines.py"; do
+    $check || { failed=1; echo "lint.sh: FAILED: $check" >&2; }
+  done
+  return $failed
+}
+tidy() {
+  local build=${1:-build/release}
+  need "$CLANG_TIDY" "$debian; elsewhere CLANG_TIDY=..."
+  [[ -f $build/compile_commands.json ]] || cmake --preset release -B "$build" -D STROMA_TESTS=ON >/dev/null
+  python3 cmake/lint/tidy.py "$build"
+}
+
+case ${1:-all} in
+  text) text ;;
+  tidy) tidy "${@:2}" ;;
+  all) text && tidy ;;
+  format) format -i ;;
+  *) sed -n '3,14s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac

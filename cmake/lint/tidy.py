@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs clang-tidy on the sources of packages/ and src/ that a compile database names; their headers are looked at through them.
+
+    tidy.py BUILD [--tests] [--jobs N]
+
+A source that passed is not looked at again until something it is made of has changed: itself, a header of the project that it
+includes (over any number of headers), its command line, .clang-tidy, the version of clang-tidy or the Debian release. What passed is
+kept as empty files, named by a hash of all that, in the folder STROMA_TIDY_CACHE, else in ~/.cache/stroma-tidy. Headers of
+Debian's libraries are no part of the hash: after an upgrade of one, remove the folder.
+
+--tests adds the sources of tests/. Exit status 1 if clang-tidy finds anything."""
+import argparse
+import concurrent.futures
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TIDY = os.environ.get("CLANG_TIDY", "clang-tidy-22")
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+
+
+@functools.lru_cache(maxsize=None)
+def content(path):
+    return path.read_bytes()
+
+
+@functools.lru_cache(maxsize=None)
+def included(path, folders):
+    """Files of the project that a file includes directly."""
+    found = []
+    for name in INCLUDE.findall(content(path).decode("utf-8", "replace")):
+        for folder in (path.parent, *folders):
+            if (folder / name).is_file():
+                found.append((folder / name).resolve())
+                break
+    return found
+
+
+def made_of(source, folders):
+    """The source and all headers of the project below it."""
+    seen, waiting = set(), [source]
+    while waiting:
+        path = waiting.pop()
+        if path not in seen:
+            seen.add(path)
+            waiting += included(path, folders)
+    return sorted(seen)
+
+
+def key(entry, source, common):
+    """A hash of all that decides what clang-tidy says of a source."""
+    arguments = shlex.split(entry["command"])
+    folders = tuple(
+        path for path in (pathlib.Path(a[2:]).resolve() for a in arguments if a.startswith("-I")) if ROOT in path.parents)
+    hashed = hashlib.sha256(common)
+    hashed.update(" ".join(arguments).replace(str(ROOT), ".").encode())
+    for path in made_of(source, folders):
+        hashed.update(str(path.relative_to(ROOT)).encode() + b"\0" + content(path) + b"\0")
+    return hashed.hexdigest()
+
+
+def run(source, build):
+    """(source, what clang-tidy found, seconds)"""
+    begin = time.monotonic()
+    command = [TIDY, "-p", str(build), "--quiet", "--warnings-as-errors=*", str(source)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
+    found = done.stdout if done.returncode else ""
+    if done.returncode and not found.strip():
+        found = "%s: clang-tidy ended with %d\n%s\n" % (source, done.returncode, done.stderr)
+    return source, found, time.monotonic() - begin
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--tests", action="store_true")
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
+    options = parser.parse_args()
+    database = json.loads((options.build / "compile_commands.json").read_text())
+    folders = ["packages", "src"] + (["tests"] if options.tests else [])
+    cache = pathlib.Path(os.environ.get("STROMA_TIDY_CACHE", pathlib.Path.home() / ".cache" / "stroma-tidy"))
+    cache.mkdir(parents=True, exist_ok=True)
+
+    common = subprocess.run([TIDY, "--version"], check=True, capture_output=True).stdout + content(ROOT / ".clang-tidy")
+    release = pathlib.Path("/etc/debian_version")
+    common += release.read_bytes() if release.exists() else b""
+    keys = {}
+    for entry in database:
+        source = (pathlib.Path(entry["directory"]) / entry["file"]).resolve()
+        if any(ROOT / folder in source.parents for folder in folders):
+            keys.setdefault(source, key(entry, source, common))
+    if not keys:
+        sys.exit("tidy.py: %s names no source of this project" % (options.build / "compile_commands.json"))
+    changed = sorted(source for source in keys if not (cache / keys[source]).exists())
+    print("clang-tidy: %d of %d sources to look at" % (len(changed), len(keys)), flush=True)
+
+    begin, printed, failed = time.monotonic(), set(), 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for source, found, seconds in pool.map(lambda source: run(source, options.build), changed):
+            if not found:
+                (cache / keys[source]).touch()
+                continue
+            failed += 1
+            # A fault of a header is met by each source that includes it, and printed once.
+            for message in re.split(r"(?m)^(?=\S+:\d+:\d+: (?:warning|error))", found):
+                if message.strip() and message not in printed:
+                    printed.add(message)
+                    print(message.replace(str(ROOT) + "/", ""), end="", flush=True)
+    print("clang-tidy: %d sources with faults, %.0f s" % (failed, time.monotonic() - begin))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
