@@ -20,16 +20,17 @@ stage=$build/docs.stage
 rm -rf "$site" "$stage"
 mkdir -p "$site" "$stage/docs"
 
-# The stage: the repository's pages where they are, with the generated ones beside them.
+# The stage: the repository's pages where they are, with the generated ones beside them. In these, a parameter's
+# meaning stands on a line of its own.
 ln -s "$project"/*.md "$project"/LICENSE "$project"/{cmake,input_decks,packages,src,tests} "$stage"
 ln -s "$project"/docs/* "$stage/docs"
 {
   printf '# Deck reference\n\nEverything that a deck may say, as `stroma reference` prints it.\n\n'
-  "$stroma" reference
+  "$stroma" reference | sed '/^- `/s/$/\\/'
 } >"$stage/docs/deck_reference.md"
 {
   printf '# Study reference\n\nEverything that the deck of a study may say, as `stroma reference Study` prints it.\n\n'
-  "$stroma" reference Study
+  "$stroma" reference Study | sed '/^- `/s/$/\\/'
 } >"$stage/docs/study_reference.md"
 
 sphinx-build -q -W --keep-going -b html -c "$project/docs/site" -d "$stage/.doctrees" "$stage" "$site"

@@ -15,6 +15,7 @@ extensions = ["myst_parser"]
 root_doc = "README"
 include_patterns = ["*.md", "docs/*.md", "input_decks/README.md", "input_decks/*/README.md", "tests/data/README.md"]
 highlight_language = "none"
+smartquotes = False
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 
