@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Holds docs/verification.md against the tests: each claim (a heading "### V-...") has a line "- **Test:**"; each file
 named there exists below tests/ or in the project, and each Suite.Name stands in one of them. Exit status 1 if not."""
 

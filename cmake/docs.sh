@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the docs as a site, build/docs/index.html; any warning is an error, and any claim whose test is not there.
 #
 #   cmake/docs.sh [--build DIR]      what is built lies below DIR; else below build. The program must have been built there.
@@ -8,7 +9,7 @@ build=$project/build
 case ${1:-} in
   "") ;;
   --build) build=$(cd "$2" && pwd) ;;
-  *) sed -n '2,4s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '3,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 bash "$project/cmake/install_dependencies.sh" docs

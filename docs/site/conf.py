@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The docs as a site: Sphinx over the pages of the repository, as they are. `cmake/docs.sh` calls it.
 
 Its source folder is a stage that docs.sh lays out like the repository, with the generated pages beside the
