@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The libraries beside Trilinos, each behind one target.
 
 # HDF5 and Exodus must share one MPI build of HDF5: a second, serial HDF5 in the same process would

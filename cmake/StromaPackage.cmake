@@ -1,11 +1,14 @@
-# stroma_package(NAME [SOURCES file...] [USES package...] [LIBRARIES target...])
-#
-# Makes the library stroma::NAME from packages/NAME. The order of the packages is one-way: a package may
-# use only packages of an earlier level. Both the USES line and every #include are held against it, so
-# that a wrong arrow is an error when the project is configured.
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The packages' headers are "stroma/PACKAGE/[FOLDER/]File.hpp", in the sources as in an installation.
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/packages ${PROJECT_BINARY_DIR}/include/stroma SYMBOLIC)
+
+# The order of the packages is one-way: a package may use only packages of an earlier level. Both the USES line
+# and every #include are held against it, so that a wrong arrow is an error when the project is configured.
 set(STROMA_PACKAGE_LEVELS
-    "base,tensor" "deck" "material,image,grid" "shape,particles" "transfer" "mechanics" "solver,output"
-    "src")
+    "base,tensor" "shape,deck" "material,image,grid" "particles" "transfer" "tangent" "mechanics,multigrid"
+    "solver,output" "src")
 
 function(stroma_package_level package result)
   set(index 0)
@@ -20,6 +23,32 @@ function(stroma_package_level package result)
   message(FATAL_ERROR "'${package}' is not a package of STROMA_PACKAGE_LEVELS")
 endfunction()
 
+# stroma_check_folders(PACKAGE PREFIX FOLDERS): a file of a folder may include files of its own folder and of those named
+# before it, a file beside the folders any of the package. PREFIX: how includes of the package's own files begin.
+function(stroma_check_folders package prefix folders)
+  file(GLOB entries LIST_DIRECTORIES true CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*)
+  foreach(entry IN LISTS entries)
+    get_filename_component(name ${entry} NAME)
+    if(IS_DIRECTORY ${entry} AND NOT name IN_LIST folders)
+      message(FATAL_ERROR "${entry}: package '${package}' does not declare FOLDERS ${name}")
+    endif()
+  endforeach()
+  set(admissible "")
+  foreach(folder IN LISTS folders)
+    list(APPEND admissible ${folder})
+    file(GLOB files ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.[hc]pp)
+    foreach(file IN LISTS files)
+      file(STRINGS ${file} includes REGEX "^#include \"${prefix}[A-Za-z0-9]+[/.]")
+      foreach(include IN LISTS includes)
+        string(REGEX REPLACE "^#include \"${prefix}([A-Za-z0-9]+)[/.].*" "\\1" included "${include}")
+        if(NOT included IN_LIST admissible AND NOT (prefix STREQUAL "" AND include MATCHES "\"stroma/"))
+          message(FATAL_ERROR "${file}: ${include}: '${included}' is not of an earlier folder of '${package}'")
+        endif()
+      endforeach()
+    endforeach()
+  endforeach()
+endfunction()
+
 function(stroma_check_order package uses)
   stroma_package_level(${package} own_level)
   foreach(used IN LISTS uses)
@@ -28,14 +57,12 @@ function(stroma_check_order package uses)
       message(FATAL_ERROR "package '${package}' may not use '${used}': it is not of an earlier level")
     endif()
   endforeach()
-  string(REPLACE ";" "," levels "${STROMA_PACKAGE_LEVELS}")
-  string(REPLACE "," "|" any_package "${levels}")
-  file(GLOB files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
   foreach(file IN LISTS files)
-    file(STRINGS ${file} includes REGEX "^#include \"(${any_package})/")
+    file(STRINGS ${file} includes REGEX "^#include \"stroma/")
     foreach(include IN LISTS includes)
-      string(REGEX REPLACE "^#include \"([a-z]+)/.*" "\\1" included "${include}")
+      string(REGEX REPLACE "^#include \"stroma/([a-z]+)/.*" "\\1" included "${include}")
       if(NOT included STREQUAL package AND NOT included IN_LIST uses)
         message(FATAL_ERROR "${file}: ${include}: package '${package}' does not declare USES ${included}")
       endif()
@@ -43,9 +70,13 @@ function(stroma_check_order package uses)
   endforeach()
 endfunction()
 
+# stroma_package(NAME [FOLDERS folder...] [SOURCES file...] [USES package...] [LIBRARIES target...])
+#
+# Makes the library stroma::NAME from packages/NAME. FOLDERS, in their order, are its subfolders.
 function(stroma_package name)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "FOLDERS;SOURCES;USES;LIBRARIES" ${ARGN})
   stroma_check_order(${name} "${arg_USES}")
+  stroma_check_folders(${name} "stroma/${name}/" "${arg_FOLDERS}")
   set(target stroma_${name})
   if(arg_SOURCES)
     add_library(${target} STATIC ${arg_SOURCES})
@@ -57,7 +88,7 @@ function(stroma_package name)
   endif()
   add_library(stroma::${name} ALIAS ${target})
   target_include_directories(
-    ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/packages> $<INSTALL_INTERFACE:include/stroma>)
+    ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
   foreach(used IN LISTS arg_USES)
     target_link_libraries(${target} ${scope} stroma_${used})
   endforeach()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADS n...])
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # stroma::trilinos is the one target through which Stroma sees Trilinos. It hides what differs between
 # Trilinos 13 (lists in variables, one config file per package) and 14 to 16 (imported targets).
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer (preset asan) and runs them:
 # cmake/asan.sh [TEST...], such as "deck image"; all of them if not told otherwise. Leaks count; those of libraries that
 # keep what they allocate for the whole process are listed, each with its reason, in tests/leaks.supp.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds Trilinos with Kokkos' OpenMP back end from Debian's own source package, for the preset `threads`: with the
 # packages that Stroma uses and no others. About 1,240 objects: an hour and more on 2 cores, and 8 GB of disk.
 #

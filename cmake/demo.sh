@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # From an image stack to pictures of stress: makes a stack of microvessels in collagen as a confocal microscope
 # would show it, reads it back as a user's stack, stretches it by 10 %.
 #

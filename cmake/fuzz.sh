@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the fuzz targets (preset fuzz) and runs each for so many seconds: cmake/fuzz.sh [SECONDS [TARGET...]], 600 seconds
 # and all targets if not told otherwise. Exit status 1 if one of them crashed, hung or took too much memory: what did it
 # lies in build/fuzz/crashes. What is found new is kept in build/fuzz/corpus for the next time.

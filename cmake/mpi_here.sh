@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # To be sourced: lets `"${mpirun[@]}" -np N ...` start any number of ranks on this machine, as root too, bound to no
 # processor. Options rather than variables, whose names change from Open MPI 4 to 5 to 6.
 mpirun=(mpirun --oversubscribe --bind-to none)

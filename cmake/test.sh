@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds everything (preset release), runs all tests. Then, where a Trilinos with threads is
 # at hand, builds the preset threads and runs the unit and verification tests on it, with 1 and 2 threads.
 #

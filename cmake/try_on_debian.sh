@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds and tests the committed state (HEAD) on a Debian of its own: makes a root with debootstrap, or takes the one that
 # is there, clones into it and runs there what the README says. As root, with debootstrap installed.
 #

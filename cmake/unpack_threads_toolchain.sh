@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes a Trilinos with OpenMP ready for the preset `threads`, and prints its folder. In this order: the folder in
 # STROMA_TRILINOS_OPENMP, /opt/trilinos-openmp, the archive that lies beside the project, which is unpacked
 # to /opt. Fails, saying why, when there is none: build_trilinos_openmp.sh makes one.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The command `stroma`: reads its words, starts MPI and Kokkos, and answers every error in one
 /// place.
@@ -12,21 +14,21 @@
 #include <string>
 #include <vector>
 
-#include "CheckCommand.hpp"
-#include "Deck.hpp"
-#include "ImageCommand.hpp"
-#include "PhantomCommand.hpp"
-#include "Simulation.hpp"
-#include "StudyCommand.hpp"
-#include "StudyDeck.hpp"
-#include "base/Communicator.hpp"
-#include "base/Error.hpp"
-#include "base/Log.hpp"
-#include "base/Memory.hpp"
-#include "base/Session.hpp"
-#include "base/Signals.hpp"
-#include "deck/Nearest.hpp"
-#include "output/ExodusFile.hpp"
+#include "commands/CheckCommand.hpp"
+#include "commands/ImageCommand.hpp"
+#include "commands/PhantomCommand.hpp"
+#include "run/Deck.hpp"
+#include "run/Simulation.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/base/Memory.hpp"
+#include "stroma/base/Session.hpp"
+#include "stroma/base/Signals.hpp"
+#include "stroma/deck/Nearest.hpp"
+#include "stroma/output/files/ExodusFile.hpp"
+#include "study/StudyCommand.hpp"
+#include "study/StudyDeck.hpp"
 
 namespace {
 

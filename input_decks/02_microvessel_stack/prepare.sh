@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes microvessels.tif, the stack that deck.xml reads, into the current folder.
 # Usage: prepare.sh [STROMA]     (STROMA: the program, default: stroma)
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # slice.tif: the paper's own slice (512 x 512 pixels, 19.4 % vessels) where it is at hand, else a drawn one of
 # the same size and volume fraction.    bash prepare.sh [STROMA [SLICE]]
 set -euo pipefail

@@ -1,4 +1,6 @@
-#include "base/Communicator.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Communicator.hpp"
 
 namespace stroma::base {
 

@@ -1,6 +1,8 @@
-#include "base/Error.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/Memory.hpp"
+#include "stroma/base/Error.hpp"
+
+#include "stroma/base/Memory.hpp"
 
 namespace stroma::base {
 namespace {

@@ -1,11 +1,13 @@
-#include "base/ForeignError.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/ForeignError.hpp"
 
 #include <unistd.h>
 
 #include <stdexcept>
 
-#include "base/Error.hpp"
-#include "base/Memory.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Memory.hpp"
 
 namespace stroma::base {
 namespace {

@@ -1,10 +1,12 @@
-#include "base/Log.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Log.hpp"
 
 #include <cerrno>
 #include <cstdarg>
 #include <cstring>
 
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 
 namespace stroma::base {
 namespace {

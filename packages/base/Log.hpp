@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -8,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "base/Communicator.hpp"
+#include "stroma/base/Communicator.hpp"
 
 namespace stroma::base {
 

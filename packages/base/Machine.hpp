@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <mpi.h>
 
-#include "base/Communicator.hpp"
+#include "stroma/base/Communicator.hpp"
 
 namespace stroma::base {
 

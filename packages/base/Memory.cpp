@@ -1,4 +1,6 @@
-#include "base/Memory.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Memory.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,8 +12,8 @@
 #include <new>
 #include <sstream>
 
-#include "base/Log.hpp"
-#include "base/Machine.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/base/Machine.hpp"
 
 namespace stroma::base {
 namespace {

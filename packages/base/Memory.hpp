@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,7 +8,7 @@
 #include <exception>
 #include <string>
 
-#include "base/Communicator.hpp"
+#include "stroma/base/Communicator.hpp"
 
 namespace stroma::base {
 

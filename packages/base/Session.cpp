@@ -1,4 +1,6 @@
-#include "base/Session.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Session.hpp"
 
 #include <mpi.h>
 #include <sched.h>
@@ -9,9 +11,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
-#include "base/Machine.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/base/Machine.hpp"
 
 namespace stroma::base {
 namespace {

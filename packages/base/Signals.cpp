@@ -1,4 +1,6 @@
-#include "base/Signals.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Signals.hpp"
 
 namespace stroma::base {
 namespace {

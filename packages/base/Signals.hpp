@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,8 +8,8 @@
 #include <csignal>
 #include <string>
 
-#include "base/Communicator.hpp"
-#include "base/Error.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/base/Error.hpp"
 
 namespace stroma::base {
 

@@ -1,4 +1,6 @@
-#include "base/Stage.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Stage.hpp"
 
 #include <Teuchos_TimeMonitor.hpp>
 #include <algorithm>

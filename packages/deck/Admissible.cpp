@@ -1,4 +1,6 @@
-#include "deck/Admissible.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/Admissible.hpp"
 
 #include <algorithm>
 

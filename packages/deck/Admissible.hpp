@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -8,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/Value.hpp"
+#include "stroma/deck/Value.hpp"
 
 namespace stroma::deck {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -12,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "deck/Admissible.hpp"
-#include "deck/Findings.hpp"
-#include "deck/Value.hpp"
+#include "stroma/deck/Admissible.hpp"
+#include "stroma/deck/Findings.hpp"
+#include "stroma/deck/Value.hpp"
 
 namespace Teuchos {
 class ParameterList;

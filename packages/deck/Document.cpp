@@ -1,4 +1,6 @@
-#include "deck/Document.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/Document.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,10 +11,10 @@
 #include <set>
 #include <sstream>
 
-#include "base/Error.hpp"
-#include "deck/Findings.hpp"
-#include "deck/PlainText.hpp"
-#include "deck/ReadTree.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Findings.hpp"
+#include "stroma/deck/PlainText.hpp"
+#include "stroma/deck/ReadTree.hpp"
 
 namespace stroma::deck {
 namespace {

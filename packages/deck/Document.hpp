@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "deck/Tree.hpp"
+#include "stroma/deck/Tree.hpp"
 
 namespace stroma::deck {
 

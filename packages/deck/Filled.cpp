@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <Teuchos_ParameterList.hpp>
 
-#include "deck/Declaration.hpp"
-#include "deck/TeuchosValue.hpp"
+#include "stroma/deck/Declaration.hpp"
+#include "stroma/deck/TeuchosValue.hpp"
 
 namespace stroma::deck {
 namespace {

@@ -1,10 +1,12 @@
-#include "deck/Findings.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/Findings.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "base/Error.hpp"
-#include "deck/PlainText.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/PlainText.hpp"
 
 namespace stroma::deck {
 namespace {

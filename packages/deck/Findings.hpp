@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -8,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/Document.hpp"
+#include "stroma/deck/Document.hpp"
 
 namespace stroma::deck {
 

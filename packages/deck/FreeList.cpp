@@ -1,10 +1,12 @@
-#include "deck/FreeList.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/FreeList.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 
-#include "deck/Nearest.hpp"
-#include "deck/TeuchosValue.hpp"
+#include "stroma/deck/Nearest.hpp"
+#include "stroma/deck/TeuchosValue.hpp"
 
 namespace stroma::deck {
 namespace {

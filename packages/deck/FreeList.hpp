@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <Teuchos_RCP.hpp>
 
-#include "deck/Findings.hpp"
+#include "stroma/deck/Findings.hpp"
 
 namespace Teuchos {
 class ParameterList;

@@ -1,4 +1,6 @@
-#include "deck/Nearest.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/Nearest.hpp"
 
 #include <algorithm>
 #include <cctype>

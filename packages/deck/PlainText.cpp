@@ -1,4 +1,6 @@
-#include "deck/PlainText.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/PlainText.hpp"
 
 #include <cstdint>
 #include <cstdio>

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <algorithm>
 #include <stdexcept>
 
-#include "deck/Declaration.hpp"
-#include "deck/FreeList.hpp"
-#include "deck/Nearest.hpp"
-#include "deck/PlainText.hpp"
+#include "stroma/deck/Declaration.hpp"
+#include "stroma/deck/FreeList.hpp"
+#include "stroma/deck/Nearest.hpp"
+#include "stroma/deck/PlainText.hpp"
 
 namespace stroma::deck {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "deck/Tree.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Tree.hpp"
 
 namespace stroma::deck {
 

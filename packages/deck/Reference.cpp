@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <sstream>
 
-#include "base/Error.hpp"
-#include "deck/Declaration.hpp"
-#include "deck/Nearest.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Declaration.hpp"
+#include "stroma/deck/Nearest.hpp"
 
 namespace stroma::deck {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -13,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "deck/Declaration.hpp"
+#include "stroma/deck/Declaration.hpp"
 
 namespace stroma::deck {
 

@@ -1,4 +1,6 @@
-#include "deck/TeuchosValue.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/TeuchosValue.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <string>
 
-#include "deck/Value.hpp"
+#include "stroma/deck/Value.hpp"
 
 namespace Teuchos {
 class ParameterList;

@@ -1,4 +1,6 @@
-#include "deck/Value.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/deck/Value.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -12,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "deck/Tree.hpp"
+#include "stroma/deck/Tree.hpp"
 
 namespace stroma::deck {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <expat.h>
 
 #include <algorithm>
@@ -5,8 +7,8 @@
 #include <new>
 #include <utility>
 
-#include "deck/Nearest.hpp"
-#include "deck/ReadTree.hpp"
+#include "stroma/deck/Nearest.hpp"
+#include "stroma/deck/ReadTree.hpp"
 
 namespace stroma::deck {
 namespace {

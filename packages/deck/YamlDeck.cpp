@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <yaml-cpp/yaml.h>
 // yaml.h leaves out the event interface, which alone tells anchors and duplicate keys.
 #include <yaml-cpp/eventhandler.h>
@@ -5,7 +7,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "deck/ReadTree.hpp"
+#include "stroma/deck/ReadTree.hpp"
 
 namespace stroma::deck {
 namespace {

@@ -1,6 +1,8 @@
-#include "grid/BoxExchange.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/Error.hpp"
+#include "stroma/grid/BoxExchange.hpp"
+
+#include "stroma/base/Error.hpp"
 
 namespace stroma::grid {
 namespace {

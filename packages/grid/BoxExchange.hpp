@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,8 +7,8 @@
 
 #include <vector>
 
-#include "base/Communicator.hpp"
-#include "grid/NodeField.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/NodeField.hpp"
 
 namespace stroma::grid {
 

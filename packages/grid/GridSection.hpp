@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "deck/Section.hpp"
-#include "grid/Grid.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/grid/Grid.hpp"
 
 namespace stroma::grid {
 

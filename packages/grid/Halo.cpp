@@ -1,4 +1,6 @@
-#include "grid/Halo.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/grid/Halo.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 

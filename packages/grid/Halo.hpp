@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,9 +7,9 @@
 
 #include <Tpetra_Import.hpp>
 
-#include "base/Communicator.hpp"
-#include "grid/Partition.hpp"
-#include "grid/Types.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/Partition.hpp"
+#include "stroma/grid/Types.hpp"
 
 namespace stroma::grid {
 

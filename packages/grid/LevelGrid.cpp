@@ -1,4 +1,6 @@
-#include "grid/LevelGrid.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/grid/LevelGrid.hpp"
 
 #include <numeric>
 

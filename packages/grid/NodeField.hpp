@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,8 +8,8 @@
 #include <array>
 #include <string>
 
-#include "grid/LevelGrid.hpp"
-#include "grid/Types.hpp"
+#include "stroma/grid/LevelGrid.hpp"
+#include "stroma/grid/Types.hpp"
 
 namespace stroma::grid {
 

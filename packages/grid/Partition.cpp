@@ -1,12 +1,14 @@
-#include "grid/Partition.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/grid/Partition.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::grid {
 namespace {

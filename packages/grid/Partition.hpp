@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "grid/Grid.hpp"
+#include "stroma/grid/Grid.hpp"
 
 namespace stroma::grid {
 

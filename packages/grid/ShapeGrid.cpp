@@ -1,4 +1,6 @@
-#include "grid/ShapeGrid.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/grid/ShapeGrid.hpp"
 
 #include <stdexcept>
 

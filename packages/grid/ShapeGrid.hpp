@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The grid that a kind of shape functions needs over a lattice of nodes.
 
-#include "grid/GridSection.hpp"
-#include "grid/Partition.hpp"
+#include "stroma/grid/GridSection.hpp"
+#include "stroma/grid/Partition.hpp"
 
 namespace stroma::grid {
 

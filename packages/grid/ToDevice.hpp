@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/Types.hpp"
+#include "stroma/grid/Types.hpp"
 
 namespace stroma::grid {
 

@@ -1,4 +1,6 @@
-#include "grid/Traffic.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/grid/Traffic.hpp"
 
 #include <algorithm>
 

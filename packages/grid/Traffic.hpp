@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,7 +8,7 @@
 
 #include <cstdint>
 
-#include "grid/LevelGrid.hpp"
+#include "stroma/grid/LevelGrid.hpp"
 
 namespace stroma::grid {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,6 +7,7 @@
 
 #include <Teuchos_RCP.hpp>
 #include <Tpetra_Map.hpp>
+#include <Tpetra_Operator.hpp>
 #include <Tpetra_Vector.hpp>
 
 namespace stroma::grid {
@@ -12,6 +15,7 @@ namespace stroma::grid {
 using Map = Tpetra::Map<>;
 using Vector = Tpetra::Vector<double>;
 using MultiVector = Tpetra::MultiVector<double>;
+using Operator = Tpetra::Operator<double>;
 using LocalOrdinal = Map::local_ordinal_type;
 using GlobalOrdinal = Map::global_ordinal_type;
 using Device = Map::device_type;

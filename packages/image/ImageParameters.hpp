@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,27 +7,13 @@
 /// section itself is declared in ImageSection.cpp.
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
-#include <vector>
 
-#include "image/Phantom.hpp"
+#include "stroma/image/labels/SegmentationParameters.hpp"
+#include "stroma/image/phantom/Phantom.hpp"
 
 namespace stroma::image {
-
-/// How intensities become labels.
-struct SegmentationParameters {
-  enum class Method { threshold, otsu, labels };
-  Method method = Method::otsu;
-  std::optional<double>
-      threshold;           ///< label 1 where intensity > threshold (Method::threshold only)
-  double smoothing = 0.0;  ///< standard deviation of a Gaussian [um]; 0: none
-  /// What becomes empty space: labels, or (not with Method::labels) the word Dark or Bright.
-  std::optional<std::variant<std::vector<int>, std::string>> empty_labels;
-  int smallest_object = 0;  ///< voxels, 26-connected; smaller objects become background
-};
 
 /// The specimen: a file or a phantom, never both.
 struct ImageParameters {

@@ -1,4 +1,6 @@
-#include "image/ImageSection.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/image/ImageSection.hpp"
 
 #include <algorithm>
 

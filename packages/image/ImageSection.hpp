@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The deck section "Image": name, unit, range, default and meaning of each parameter.
 
-#include "deck/Section.hpp"
-#include "image/ImageParameters.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/image/ImageParameters.hpp"
 
 namespace stroma::image {
 

@@ -1,13 +1,15 @@
-#include "image/ReadVolume.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/image/ReadVolume.hpp"
 
 #include <cmath>
 #include <filesystem>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
-#include "image/ImageSource.hpp"
-#include "image/Objects.hpp"
-#include "image/Segmentation.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/image/formats/ImageSource.hpp"
+#include "stroma/image/labels/Objects.hpp"
+#include "stroma/image/labels/Segmentation.hpp"
 
 namespace stroma::image {
 namespace {

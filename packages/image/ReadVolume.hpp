@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,10 +8,10 @@
 #include <functional>
 #include <string>
 
-#include "base/Communicator.hpp"
-#include "image/ImageParameters.hpp"
-#include "image/ImageSummary.hpp"
-#include "image/Volume.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/image/ImageParameters.hpp"
+#include "stroma/image/volume/ImageSummary.hpp"
+#include "stroma/image/volume/Volume.hpp"
 
 namespace stroma::image {
 

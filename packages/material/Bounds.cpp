@@ -1,4 +1,6 @@
-#include "material/Bounds.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/material/Bounds.hpp"
 
 #include <algorithm>
 

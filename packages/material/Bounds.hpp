@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <vector>
 
-#include "material/NeoHookean.hpp"
+#include "stroma/material/NeoHookean.hpp"
 
 namespace stroma::material {
 

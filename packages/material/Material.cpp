@@ -1,4 +1,6 @@
-#include "material/Material.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/material/Material.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -10,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "deck/Section.hpp"
-#include "material/NeoHookean.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/material/NeoHookean.hpp"
 
 namespace stroma::material {
 

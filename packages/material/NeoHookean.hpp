@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The paper's neo-Hookean solid: energy, stress and tangent of one particle.
 
-#include "tensor/SmallDifference.hpp"
-#include "tensor/Tensor3.hpp"
+#include "stroma/tensor/SmallDifference.hpp"
+#include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::material {
 

@@ -1,6 +1,8 @@
-#include "mechanics/BarelyFilled.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/Log.hpp"
+#include "stroma/mechanics/BarelyFilled.hpp"
+
+#include "stroma/base/Log.hpp"
 
 namespace stroma::mechanics {
 namespace {

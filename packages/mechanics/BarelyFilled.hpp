@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <string>
 
-#include "mechanics/MomentumBalance.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,11 +1,13 @@
-#include "mechanics/BodyStatics.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/BodyStatics.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
-#include "particles/Exchange.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/particles/Exchange.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -9,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "grid/Halo.hpp"
-#include "mechanics/PieceStatics.hpp"
-#include "mechanics/Pieces.hpp"
+#include "stroma/grid/Halo.hpp"
+#include "stroma/mechanics/PieceStatics.hpp"
+#include "stroma/mechanics/Pieces.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,10 +1,12 @@
-#include "mechanics/BoundaryConditions.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/BoundaryConditions.hpp"
 
 #include <cmath>
 #include <cstddef>
 
-#include "base/Log.hpp"
-#include "tensor/Tensor3.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -9,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "deck/Section.hpp"
+#include "stroma/deck/Section.hpp"
 
 namespace stroma::mechanics {
 

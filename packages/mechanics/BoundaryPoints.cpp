@@ -1,12 +1,14 @@
-#include "mechanics/BoundaryPoints.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/BoundaryPoints.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "grid/ToDevice.hpp"
-#include "particles/UndeformedPositions.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/grid/ToDevice.hpp"
+#include "stroma/particles/UndeformedPositions.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -1,14 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The points of the body's faces by which conditions are imposed by penalty.
 
-#include "base/Communicator.hpp"
-#include "grid/Types.hpp"
-#include "mechanics/Problem.hpp"
-#include "mechanics/Supports.hpp"
-#include "particles/Particles.hpp"
-#include "transfer/BoundaryPoints.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/Types.hpp"
+#include "stroma/mechanics/Problem.hpp"
+#include "stroma/mechanics/Supports.hpp"
+#include "stroma/particles/Particles.hpp"
+#include "stroma/transfer/BoundaryPoints.hpp"
 
 namespace stroma::mechanics {
 

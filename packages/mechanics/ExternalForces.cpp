@@ -1,4 +1,6 @@
-#include "mechanics/ExternalForces.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/ExternalForces.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -9,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "deck/Section.hpp"
-#include "grid/Grid.hpp"
-#include "mechanics/BoundaryConditions.hpp"
-#include "transfer/ExternalForce.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/grid/Grid.hpp"
+#include "stroma/mechanics/BoundaryConditions.hpp"
+#include "stroma/transfer/ExternalForce.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,4 +1,6 @@
-#include "mechanics/Lattice.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/Lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "grid/ShapeGrid.hpp"
-#include "shape/BSpline.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/shape/BSpline.hpp"
 
 namespace stroma::mechanics {
 namespace {

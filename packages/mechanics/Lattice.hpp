@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
-#include "grid/Halo.hpp"
+#include "stroma/grid/Halo.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,4 +1,6 @@
-#include "mechanics/MomentumBalance.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/MomentumBalance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,16 +9,16 @@
 #include <string>
 #include <type_traits>
 
-#include "base/Error.hpp"
-#include "base/Stage.hpp"
-#include "grid/ShapeGrid.hpp"
-#include "grid/ToDevice.hpp"
-#include "mechanics/BarelyFilled.hpp"
-#include "mechanics/BoundaryPoints.hpp"
-#include "mechanics/Scales.hpp"
-#include "particles/Migration.hpp"
-#include "particles/Seeding.hpp"
-#include "particles/UndeformedPositions.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/grid/ToDevice.hpp"
+#include "stroma/mechanics/BarelyFilled.hpp"
+#include "stroma/mechanics/BoundaryPoints.hpp"
+#include "stroma/mechanics/Scales.hpp"
+#include "stroma/particles/Migration.hpp"
+#include "stroma/particles/Seeding.hpp"
+#include "stroma/particles/UndeformedPositions.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -304,16 +306,17 @@ void MomentumBalance::choose_tangent(TangentForm form) {
 grid::RCP<Tpetra::Operator<double>> MomentumBalance::tangent() {
   if (form_ == TangentForm::compressed_rows) return tangent_matrix();
   if (stencil_ == Teuchos::null)
-    stencil_ = Teuchos::rcp(new StencilMatrix(halo_, supports_->held(), typical_diagonal_));
+    stencil_ =
+        Teuchos::rcp(new tangent::StencilMatrix(halo_, supports_->held(), typical_diagonal_));
   return stencil_;
 }
 
-grid::RCP<Matrix> MomentumBalance::tangent_matrix() {
+grid::RCP<tangent::Matrix> MomentumBalance::tangent_matrix() {
   if (form_ != TangentForm::compressed_rows)
     throw std::logic_error("the tangent is stored as a stencil, not as compressed rows");
   if (!rows_) {
     const base::Stage stage("graph");
-    rows_ = std::make_unique<TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
+    rows_ = std::make_unique<tangent::TangentMatrix>(halo_, supports_->held(), typical_diagonal_);
   }
   return rows_->matrix();
 }

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -10,15 +12,15 @@
 #include <memory>
 #include <vector>
 
-#include "grid/Halo.hpp"
-#include "material/NeoHookean.hpp"
-#include "mechanics/Problem.hpp"
-#include "mechanics/ShapeKernels.hpp"
-#include "mechanics/StencilMatrix.hpp"
-#include "mechanics/Supports.hpp"
-#include "mechanics/TangentMatrix.hpp"
-#include "particles/Particles.hpp"
-#include "transfer/GridToParticles.hpp"
+#include "stroma/grid/Halo.hpp"
+#include "stroma/material/NeoHookean.hpp"
+#include "stroma/mechanics/Problem.hpp"
+#include "stroma/mechanics/Supports.hpp"
+#include "stroma/mechanics/kernels/ShapeKernels.hpp"
+#include "stroma/particles/Particles.hpp"
+#include "stroma/tangent/StencilMatrix.hpp"
+#include "stroma/tangent/TangentMatrix.hpp"
+#include "stroma/transfer/GridToParticles.hpp"
 
 namespace stroma::mechanics {
 
@@ -92,7 +94,7 @@ class MomentumBalance {
   /// The tangent's operator; built at the first call.
   grid::RCP<Tpetra::Operator<double>> tangent();
   /// The same as a matrix, when it is stored as compressed rows.
-  grid::RCP<Matrix> tangent_matrix();
+  grid::RCP<tangent::Matrix> tangent_matrix();
   /// product = K(u) v without forming K and without regard to what is prescribed.
   void tangent_times(const grid::Vector& u, const grid::Vector& v, grid::Vector& product) const;
 
@@ -182,8 +184,8 @@ class MomentumBalance {
   grid::RCP<const grid::Vector> external_force_;
   std::unique_ptr<Supports> supports_;
   TangentForm form_ = TangentForm::compressed_rows;
-  std::unique_ptr<TangentMatrix> rows_;
-  grid::RCP<StencilMatrix> stencil_;
+  std::unique_ptr<tangent::TangentMatrix> rows_;
+  grid::RCP<tangent::StencilMatrix> stencil_;
   grid::RCP<const grid::Vector> linearized_at_;
 };
 

@@ -1,13 +1,15 @@
-#include "mechanics/MovingBody.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/MovingBody.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
-#include "base/Stage.hpp"
-#include "grid/ShapeGrid.hpp"
-#include "particles/Migration.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/particles/Migration.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "mechanics/MomentumBalance.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,10 +1,12 @@
-#include "mechanics/PieceStatics.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/PieceStatics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "base/Log.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -1,8 +1,10 @@
-#include "mechanics/Pieces.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/Pieces.hpp"
 
 #include <algorithm>
 
-#include "base/DisjointSets.hpp"
+#include "stroma/base/DisjointSets.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,9 +7,9 @@
 
 #include <vector>
 
-#include "grid/Halo.hpp"
-#include "transfer/ElementLoop.hpp"
-#include "transfer/Touch.hpp"
+#include "stroma/grid/Halo.hpp"
+#include "stroma/transfer/ElementLoop.hpp"
+#include "stroma/transfer/Touch.hpp"
 
 namespace stroma::mechanics {
 

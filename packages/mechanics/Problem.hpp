@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -8,10 +10,10 @@
 #include <functional>
 #include <vector>
 
-#include "grid/GridSection.hpp"
-#include "material/NeoHookean.hpp"
-#include "mechanics/BoundaryConditions.hpp"
-#include "mechanics/ExternalForces.hpp"
+#include "stroma/grid/GridSection.hpp"
+#include "stroma/material/NeoHookean.hpp"
+#include "stroma/mechanics/BoundaryConditions.hpp"
+#include "stroma/mechanics/ExternalForces.hpp"
 
 namespace stroma::mechanics {
 

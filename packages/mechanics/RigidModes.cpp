@@ -1,8 +1,10 @@
-#include "mechanics/RigidModes.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/RigidModes.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,4 +1,6 @@
-#include "mechanics/RigidMotion.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/RigidMotion.hpp"
 
 #include <algorithm>
 #include <cmath>

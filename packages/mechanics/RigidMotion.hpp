@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,8 +8,8 @@
 #include <functional>
 #include <vector>
 
-#include "base/Communicator.hpp"
-#include "mechanics/RigidModes.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/mechanics/RigidModes.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,12 +1,14 @@
-#include "mechanics/Scales.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/Scales.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::mechanics {
 namespace {

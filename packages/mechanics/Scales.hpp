@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Whether numbers of the sizes that a problem has can be computed with.
 
-#include "mechanics/Problem.hpp"
+#include "stroma/mechanics/Problem.hpp"
 
 namespace stroma::mechanics {
 

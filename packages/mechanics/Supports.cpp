@@ -1,10 +1,12 @@
-#include "mechanics/Supports.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/Supports.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::mechanics {
 namespace {

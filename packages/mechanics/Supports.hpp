@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "grid/Halo.hpp"
-#include "mechanics/BodyStatics.hpp"
-#include "mechanics/Problem.hpp"
-#include "mechanics/RigidMotion.hpp"
+#include "stroma/grid/Halo.hpp"
+#include "stroma/mechanics/BodyStatics.hpp"
+#include "stroma/mechanics/Problem.hpp"
+#include "stroma/mechanics/RigidMotion.hpp"
 
 namespace stroma::mechanics {
 

@@ -1,4 +1,6 @@
-#include "output/OutputSection.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/output/OutputSection.hpp"
 
 namespace stroma::output {
 

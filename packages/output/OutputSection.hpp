@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The deck section "Output".
 
-#include "deck/Section.hpp"
-#include "output/ExodusFile.hpp"
-#include "output/RasterPlot.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/output/files/ExodusFile.hpp"
+#include "stroma/output/pictures/RasterPlot.hpp"
 
 namespace stroma::output {
 

@@ -1,9 +1,11 @@
-#include "particles/AxisLayout.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/particles/AxisLayout.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/Log.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::particles {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -9,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "grid/Grid.hpp"
+#include "stroma/grid/Grid.hpp"
 
 namespace stroma::particles {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/Communicator.hpp"
+#include "stroma/base/Communicator.hpp"
 
 namespace stroma::particles {
 

@@ -1,4 +1,6 @@
-#include "particles/Migration.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/particles/Migration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +8,10 @@
 #include <numeric>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
-#include "particles/Exchange.hpp"
-#include "particles/Seeding.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/particles/Exchange.hpp"
+#include "stroma/particles/Seeding.hpp"
 
 namespace stroma::particles {
 namespace {

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Particles on the move: the grid that they fill, and their way to the owners of their elements.
 
-#include "base/Communicator.hpp"
-#include "grid/Partition.hpp"
-#include "grid/Types.hpp"
-#include "particles/Particles.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/Partition.hpp"
+#include "stroma/grid/Types.hpp"
+#include "stroma/particles/Particles.hpp"
 
 namespace stroma::particles {
 

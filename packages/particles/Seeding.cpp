@@ -1,10 +1,12 @@
-#include "particles/Seeding.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/particles/Seeding.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::particles {
 namespace {

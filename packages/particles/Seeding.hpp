@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -8,13 +10,13 @@
 #include <map>
 #include <vector>
 
-#include "base/Communicator.hpp"
-#include "deck/Section.hpp"
-#include "grid/Partition.hpp"
-#include "grid/Types.hpp"
-#include "image/Volume.hpp"
-#include "particles/AxisLayout.hpp"
-#include "particles/Particles.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/grid/Partition.hpp"
+#include "stroma/grid/Types.hpp"
+#include "stroma/image/volume/Volume.hpp"
+#include "stroma/particles/AxisLayout.hpp"
+#include "stroma/particles/Particles.hpp"
 
 namespace stroma::particles {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,8 +8,8 @@
 #include <array>
 #include <vector>
 
-#include "grid/Types.hpp"
-#include "particles/Particles.hpp"
+#include "stroma/grid/Types.hpp"
+#include "stroma/particles/Particles.hpp"
 
 namespace stroma::particles {
 

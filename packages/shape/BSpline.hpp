@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <cmath>
 
-#include "shape/TensorProduct.hpp"
+#include "stroma/shape/TensorProduct.hpp"
 
 namespace stroma::shape {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The convected particle domain interpolation's functions (CPDI).
 
-#include "shape/BSpline.hpp"
+#include "stroma/shape/BSpline.hpp"
 
 namespace stroma::shape {
 

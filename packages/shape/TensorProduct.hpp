@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <Kokkos_Core.hpp>
 
-#include "shape/Place.hpp"
+#include "stroma/shape/Place.hpp"
 
 namespace stroma::shape {
 

@@ -1,8 +1,10 @@
-#include "solver/Advice.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/Log.hpp"
-#include "mechanics/BarelyFilled.hpp"
-#include "solver/Preconditioner.hpp"
+#include "stroma/solver/Advice.hpp"
+
+#include "stroma/base/Log.hpp"
+#include "stroma/mechanics/BarelyFilled.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 

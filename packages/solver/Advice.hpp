@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "grid/GridSection.hpp"
-#include "mechanics/MomentumBalance.hpp"
-#include "solver/SolverSection.hpp"
+#include "stroma/grid/GridSection.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
+#include "stroma/solver/SolverSection.hpp"
 
 namespace stroma::solver {
 

@@ -1,19 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <Amesos2.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
 
-#include "base/Error.hpp"
-#include "solver/Preconditioner.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 namespace {
 
 /// A copy without the entries that are zero, on another map. Rows of untouched and prescribed
 /// components hold nothing else besides their diagonal; KLU2 would fill them in.
-grid::RCP<mechanics::Matrix> without_zeros(const mechanics::Matrix& matrix,
-                                           const grid::RCP<const grid::Map>& map) {
+grid::RCP<tangent::Matrix> without_zeros(const tangent::Matrix& matrix,
+                                         const grid::RCP<const grid::Map>& map) {
   const auto local = matrix.getLocalMatrixHost();
-  const auto copy = Teuchos::rcp(new mechanics::Matrix(map, map, matrix.getGlobalMaxNumRowEntries()));
+  const auto copy = Teuchos::rcp(new tangent::Matrix(map, map, matrix.getGlobalMaxNumRowEntries()));
   Teuchos::Array<grid::LocalOrdinal> columns;
   Teuchos::Array<double> values;
   for (int row = 0; row < local.numRows(); ++row) {
@@ -36,7 +38,7 @@ grid::RCP<mechanics::Matrix> without_zeros(const mechanics::Matrix& matrix,
 /// another system: a tridiagonal one of 60 rows came back with an error of 9 % on two ranks.)
 class GatheredFactors : public Operator {
  public:
-  explicit GatheredFactors(const grid::RCP<mechanics::Matrix>& matrix)
+  explicit GatheredFactors(const grid::RCP<tangent::Matrix>& matrix)
       : matrix_(matrix),
         root_map_(Teuchos::rcp(
             new grid::Map(static_cast<Tpetra::global_size_t>(matrix->getGlobalNumRows()),
@@ -45,7 +47,7 @@ class GatheredFactors : public Operator {
         to_root_(Teuchos::rcp(new Tpetra::Import<>(matrix->getRowMap(), root_map_))) {}
 
   void factorize() {
-    mechanics::Matrix gathered(root_map_, 81);
+    tangent::Matrix gathered(root_map_, 81);
     gathered.doImport(*matrix_, *to_root_, Tpetra::INSERT);
     gathered.fillComplete(root_map_, root_map_);
     bool failed = false;
@@ -58,7 +60,7 @@ class GatheredFactors : public Operator {
       right_side_ = Teuchos::rcp(new grid::MultiVector(alone, 1));
       solution_ = Teuchos::rcp(new grid::MultiVector(alone, 1));
       try {
-        solver_ = Amesos2::create<mechanics::Matrix, grid::MultiVector>("KLU2", local_);
+        solver_ = Amesos2::create<tangent::Matrix, grid::MultiVector>("KLU2", local_);
         solver_->symbolicFactorization().numericFactorization();
       } catch (const std::exception&) {
         failed = true;
@@ -88,12 +90,12 @@ class GatheredFactors : public Operator {
   }
 
  private:
-  grid::RCP<mechanics::Matrix> matrix_;
+  grid::RCP<tangent::Matrix> matrix_;
   grid::RCP<const grid::Map> root_map_;
   grid::RCP<const Tpetra::Import<>> to_root_;
-  grid::RCP<mechanics::Matrix> local_;  // on rank 0 only, as the rest
+  grid::RCP<tangent::Matrix> local_;  // on rank 0 only, as the rest
   grid::RCP<grid::MultiVector> right_side_, solution_;
-  grid::RCP<Amesos2::Solver<mechanics::Matrix, grid::MultiVector>> solver_;
+  grid::RCP<Amesos2::Solver<tangent::Matrix, grid::MultiVector>> solver_;
 };
 
 /// The factorisation as a preconditioner: conjugate gradients then take one iteration, and what

@@ -1,9 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <Ifpack2_Factory.hpp>
 #include <stdexcept>
 
-#include "mechanics/BarelyFilled.hpp"
-#include "mechanics/Lattice.hpp"
-#include "solver/GeometricMultigrid.hpp"
+#include "stroma/mechanics/BarelyFilled.hpp"
+#include "stroma/mechanics/Lattice.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 namespace {
@@ -21,7 +24,7 @@ using Smoother = Ifpack2::Preconditioner<double>;
 /// (T.36).
 class HatsCycle : public Operator {
  public:
-  HatsCycle(const grid::RCP<const mechanics::Matrix>& matrix, const grid::RCP<Smoother>& smoother,
+  HatsCycle(const grid::RCP<const tangent::Matrix>& matrix, const grid::RCP<Smoother>& smoother,
             const mechanics::Supports& supports, const mechanics::Lattice& lattice,
             const grid::RCP<const Operator>& coarse)
       : matrix_(matrix),
@@ -64,7 +67,7 @@ class HatsCycle : public Operator {
     residual_.update(1.0, b, -1.0);
   }
 
-  grid::RCP<const mechanics::Matrix> matrix_;
+  grid::RCP<const tangent::Matrix> matrix_;
   grid::RCP<Smoother> smoother_;
   const mechanics::Supports* supports_;
   const mechanics::Lattice* lattice_;
@@ -79,8 +82,8 @@ class HatsMultigrid : public Preconditioner {
         lattice_(balance.halo()),
         hats_(balance.with_hats(lattice_.halo().partition())) {
     hats_->choose_tangent(mechanics::TangentForm::stencil);
-    cycle_ = Teuchos::rcp(new GeometricMultigrid(
-        Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(hats_->tangent(), true),
+    cycle_ = Teuchos::rcp(new multigrid::GeometricMultigrid(
+        Teuchos::rcp_dynamic_cast<const tangent::StencilMatrix>(hats_->tangent(), true),
         lattice_.halo().partition().grid().spacing, mechanics::barely_held_elements(*hats_)));
     smoothing_.set("chebyshev: degree", 3);
     smoothing_.set("chebyshev: ratio eigenvalue", 12.0);
@@ -113,7 +116,7 @@ class HatsMultigrid : public Preconditioner {
   const mechanics::MomentumBalance* balance_;
   mechanics::Lattice lattice_;
   std::unique_ptr<mechanics::MomentumBalance> hats_;
-  grid::RCP<GeometricMultigrid> cycle_;
+  grid::RCP<multigrid::GeometricMultigrid> cycle_;
   Teuchos::ParameterList smoothing_;
   grid::RCP<Smoother> smoother_;
   grid::RCP<const Operator> whole_;

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <Ifpack2_Factory.hpp>
 
-#include "solver/Preconditioner.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 namespace {

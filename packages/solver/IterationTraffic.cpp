@@ -1,8 +1,10 @@
-#include "solver/IterationTraffic.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/Log.hpp"
-#include "solver/GeometricMultigrid.hpp"
-#include "solver/Preconditioner.hpp"
+#include "stroma/solver/IterationTraffic.hpp"
+
+#include "stroma/base/Log.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 namespace {
@@ -13,10 +15,10 @@ constexpr std::int64_t sums_of_belos = 3;
 /// One cycle: GeometricMultigrid::apply().
 grid::Traffic cycle_traffic(const grid::Partition& partition, int rank) {
   const grid::LevelGrid finest(partition, rank);
-  const auto levels = plan_levels(finest, partition.grid().spacing, {});
+  const auto levels = multigrid::plan_levels(finest, partition.grid().spacing, {});
   grid::Traffic traffic = grid::box_sum_traffic(finest, sizeof(float));  // of the right-hand side
   for (std::size_t n = 0; n < levels.size(); ++n) {
-    const LevelPlan& level = levels[n];
+    const multigrid::LevelPlan& level = levels[n];
     const grid::Traffic sum = grid::box_sum_traffic(level.grid, sizeof(float));
     if (n > 0) traffic += sum;  // of the restricted residual
     if (level.is_direct) {

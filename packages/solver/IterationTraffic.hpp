@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "base/Communicator.hpp"
-#include "grid/Traffic.hpp"
-#include "solver/SolverSection.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/Traffic.hpp"
+#include "stroma/solver/SolverSection.hpp"
 
 namespace stroma::solver {
 

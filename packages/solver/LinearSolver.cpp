@@ -1,12 +1,14 @@
-#include "solver/LinearSolver.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/LinearSolver.hpp"
 
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <algorithm>
 #include <cmath>
 
-#include "base/Error.hpp"
-#include "base/Stage.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
 
 namespace stroma::solver {
 
@@ -34,9 +36,9 @@ LinearSolver::LinearSolver(const SolverParameters& parameters,
                            const mechanics::MomentumBalance& balance)
     : parameters_(parameters), preconditioner_(make_preconditioner(parameters, balance)) {}
 
-grid::RCP<mechanics::Matrix> as_matrix(const grid::RCP<const Operator>& tangent) {
-  return Teuchos::rcp_const_cast<mechanics::Matrix>(
-      Teuchos::rcp_dynamic_cast<const mechanics::Matrix>(tangent, true));
+grid::RCP<tangent::Matrix> as_matrix(const grid::RCP<const Operator>& tangent) {
+  return Teuchos::rcp_const_cast<tangent::Matrix>(
+      Teuchos::rcp_dynamic_cast<const tangent::Matrix>(tangent, true));
 }
 
 void LinearSolver::set_tangent(const grid::RCP<const Operator>& tangent) {
@@ -77,7 +79,7 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     jacobi.preconditioner = PreconditionerKind::jacobi;
     jacobi.ifpack2 = Teuchos::null;
     const bool is_stencil =
-        Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(tangent_) != Teuchos::null;
+        Teuchos::rcp_dynamic_cast<const tangent::StencilMatrix>(tangent_) != Teuchos::null;
     const auto plain = is_stencil ? make_block_jacobi() : make_ifpack2(jacobi);
     plain->compute(tangent_);
     result = run_belos(*plain, b, x, tolerance);

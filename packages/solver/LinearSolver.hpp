@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <memory>
 
-#include "solver/Preconditioner.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 

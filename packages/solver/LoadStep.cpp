@@ -1,6 +1,8 @@
-#include "solver/LoadStep.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "base/ForeignError.hpp"
+#include "stroma/solver/LoadStep.hpp"
+
+#include "stroma/base/ForeignError.hpp"
 
 namespace stroma::solver {
 

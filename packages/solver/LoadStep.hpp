@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// One load step of a body: where it starts, and how it is solved.
 
-#include "mechanics/MovingBody.hpp"
-#include "solver/NewtonSolver.hpp"
+#include "stroma/mechanics/MovingBody.hpp"
+#include "stroma/solver/NewtonSolver.hpp"
 
 namespace stroma::solver {
 

@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <MueLu_TpetraOperator.hpp>
 
-#include "solver/Preconditioner.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma::solver {
 namespace {

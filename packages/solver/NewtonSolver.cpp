@@ -1,4 +1,6 @@
-#include "solver/NewtonSolver.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/NewtonSolver.hpp"
 
 #include <NOX.H>
 #include <NOX_Thyra.H>
@@ -8,8 +10,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/Error.hpp"
-#include "base/Log.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::solver {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,9 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "solver/LinearSolver.hpp"
-#include "solver/ThyraLinearSolve.hpp"
-#include "solver/ThyraModel.hpp"
+#include "stroma/solver/LinearSolver.hpp"
+#include "stroma/solver/ThyraLinearSolve.hpp"
+#include "stroma/solver/ThyraModel.hpp"
 
 namespace stroma::solver {
 

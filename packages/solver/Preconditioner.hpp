@@ -1,17 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Preconditioners for the tangent: Tpetra operators that approximate its inverse.
 
-#include <Tpetra_Operator.hpp>
 #include <memory>
 
-#include "mechanics/MomentumBalance.hpp"
-#include "solver/SolverSection.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
+#include "stroma/solver/SolverSection.hpp"
 
 namespace stroma::solver {
 
-using Operator = Tpetra::Operator<double>;
+using grid::Operator;
 
 /// Makes an operator M^-1 from a tangent, again and again as its values change.
 class Preconditioner {
@@ -19,7 +20,7 @@ class Preconditioner {
   virtual ~Preconditioner() = default;
 
   /// Adapts to the tangent's present values. Collective.
-  /// \param tangent  a mechanics::Matrix, or a mechanics::StencilMatrix for those that take it
+  /// \param tangent  a tangent::Matrix, or a tangent::StencilMatrix for those that take it
   /// \throws base::StepRejected when the tangent is singular to the method
   virtual void compute(const grid::RCP<const Operator>& tangent) = 0;
   /// Whether compute() costs so much that one made for an earlier tangent is better kept while it
@@ -50,6 +51,6 @@ std::unique_ptr<Preconditioner> make_geometric_multigrid(const mechanics::Moment
 std::unique_ptr<Preconditioner> make_block_jacobi();
 
 /// The tangent as the compressed matrix that most packages of Trilinos want.
-grid::RCP<mechanics::Matrix> as_matrix(const grid::RCP<const Operator>& tangent);
+grid::RCP<tangent::Matrix> as_matrix(const grid::RCP<const Operator>& tangent);
 
 }  // namespace stroma::solver

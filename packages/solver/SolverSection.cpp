@@ -1,6 +1,8 @@
-#include "solver/SolverSection.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
 
-#include "solver/ValidLists.hpp"
+#include "stroma/solver/SolverSection.hpp"
+
+#include "stroma/solver/ValidLists.hpp"
 
 namespace stroma::solver {
 
@@ -31,7 +33,8 @@ deck::Section<SolverParameters> solver_section() {
        {"Direct", PreconditionerKind::direct}},
       "Geometric Multigrid: coarser grids of the grid itself, the least memory and time; "
       "Multigrid: MueLu's smoothed aggregation with rigid body modes, in double precision, for "
-      "inclusions more than a million times stiffer than the gel; Jacobi and Chebyshev: Ifpack2; Direct: a factorisation "
+      "inclusions more than a million times stiffer than the gel; Jacobi and Chebyshev: Ifpack2; "
+      "Direct: a factorisation "
       "(Amesos2, KLU2), for small problems.");
   section.free_list("NOX", &SolverParameters::nox,
                     "Settings for NOX, laid over Stroma's own (line search based Newton).",

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,7 +8,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
 
-#include "deck/Section.hpp"
+#include "stroma/deck/Section.hpp"
 
 namespace stroma::solver {
 

@@ -1,4 +1,6 @@
-#include "solver/StepControl.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/StepControl.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The size of load steps.
 
-#include "solver/SolverSection.hpp"
+#include "stroma/solver/SolverSection.hpp"
 
 namespace stroma::solver {
 

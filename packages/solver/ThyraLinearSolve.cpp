@@ -1,4 +1,6 @@
-#include "solver/ThyraLinearSolve.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/ThyraLinearSolve.hpp"
 
 #include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>

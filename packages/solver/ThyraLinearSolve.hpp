@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>
 
-#include "solver/LinearSolver.hpp"
+#include "stroma/solver/LinearSolver.hpp"
 
 namespace stroma::solver {
 

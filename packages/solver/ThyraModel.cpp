@@ -1,4 +1,6 @@
-#include "solver/ThyraModel.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/ThyraModel.hpp"
 
 #include <Thyra_TpetraThyraWrappers.hpp>
 

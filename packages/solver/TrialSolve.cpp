@@ -1,11 +1,13 @@
-#include "solver/TrialSolve.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/TrialSolve.hpp"
 
 #include <iostream>
 #include <sstream>
 
-#include "base/Error.hpp"
-#include "base/ForeignError.hpp"
-#include "solver/NewtonSolver.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/ForeignError.hpp"
+#include "stroma/solver/NewtonSolver.hpp"
 
 namespace stroma::solver {
 namespace {

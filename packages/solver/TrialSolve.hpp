@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Whether the packages of Trilinos take the lists that a deck has for them.
 
-#include "base/Communicator.hpp"
-#include "solver/SolverSection.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/solver/SolverSection.hpp"
 
 namespace stroma::solver {
 

@@ -1,13 +1,15 @@
-#include "solver/ValidLists.hpp"
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/solver/ValidLists.hpp"
 
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <MueLu_MasterList.hpp>
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 
-#include "base/Log.hpp"
-#include "deck/FreeList.hpp"
-#include "grid/Types.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/deck/FreeList.hpp"
+#include "stroma/grid/Types.hpp"
 
 namespace stroma::solver {
 namespace {

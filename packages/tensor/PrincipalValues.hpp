@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,7 +8,7 @@
 #include <Kokkos_Core.hpp>
 #include <cmath>
 
-#include "tensor/Tensor3.hpp"
+#include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::tensor {
 

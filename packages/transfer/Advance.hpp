@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Grid to particles: the displaced configuration becomes the base of the next step.
 
-#include "transfer/MeanDilatation.hpp"
+#include "stroma/transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Particles and grid: points of the body's faces that springs hold where a condition wants them.
 
-#include "transfer/Tangent.hpp"
+#include "stroma/transfer/Tangent.hpp"
 
 namespace stroma::transfer {
 

@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Kinematics of the particles of one element: what every transfer kernel starts from.
 
-#include "particles/Particles.hpp"
-#include "shape/Place.hpp"
-#include "tensor/Tensor3.hpp"
-#include "transfer/ElementLoop.hpp"
-#include "transfer/ParticleDomains.hpp"
+#include "stroma/particles/Particles.hpp"
+#include "stroma/shape/Place.hpp"
+#include "stroma/tensor/Tensor3.hpp"
+#include "stroma/transfer/ElementLoop.hpp"
+#include "stroma/transfer/ParticleDomains.hpp"
 
 namespace stroma::transfer {
 

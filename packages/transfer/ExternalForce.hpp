@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Particles to grid: the forces that act on the particles from outside.
 
-#include "transfer/ElementParticles.hpp"
+#include "stroma/transfer/ElementParticles.hpp"
 
 namespace stroma::transfer {
 

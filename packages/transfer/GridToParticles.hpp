@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Grid to particles: displacement, stress and energy of each particle at the current
 /// configuration.
 
-#include "transfer/MeanDilatation.hpp"
+#include "stroma/transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// The change of volume of an element as a whole in place of its particles' own, against locking;
 /// and the loops over points with stress and tangent by the one or the other.
 
-#include "material/NeoHookean.hpp"
-#include "transfer/ElementParticles.hpp"
+#include "stroma/material/NeoHookean.hpp"
+#include "stroma/transfer/ElementParticles.hpp"
 
 namespace stroma::transfer {
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Particles to grid and back: the projection of displacements that the paper's equations 1 and 2
 /// describe.
 
-#include "transfer/ElementParticles.hpp"
+#include "stroma/transfer/ElementParticles.hpp"
 
 namespace stroma::transfer {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Particles to grid: the tangent (stiffness) matrix.
 
-#include "transfer/MeanDilatation.hpp"
+#include "stroma/transfer/MeanDilatation.hpp"
 
 namespace stroma::transfer {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Which nodes the points of a body touch.
 
-#include "transfer/ElementParticles.hpp"
+#include "stroma/transfer/ElementParticles.hpp"
 
 namespace stroma::transfer {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A model of the time that an iteration of conjugate gradients with geometric multigrid takes on
 /// many ranks: what is sent is counted by the program's own arithmetic for the busiest rank, what
@@ -10,10 +12,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "grid/Partition.hpp"
-#include "solver/CoarsestGrid.hpp"
-#include "solver/GeometricMultigrid.hpp"
-#include "solver/IterationTraffic.hpp"
+#include "stroma/grid/Partition.hpp"
+#include "stroma/multigrid/CoarsestGrid.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
+#include "stroma/solver/IterationTraffic.hpp"
 
 namespace {
 
@@ -42,10 +44,10 @@ grid::Partition equal_boxes(const grid::Index3& elements, int ranks) {
 
 /// Bytes that an iteration of one rank moves through its memory: blocks, and 12 floats a node for
 /// the fields of each product.
-double memory_bytes(const std::vector<solver::LevelPlan>& levels) {
+double memory_bytes(const std::vector<multigrid::LevelPlan>& levels) {
   double bytes = 0.0;
   for (std::size_t n = 0; n < levels.size(); ++n) {
-    const solver::LevelPlan& level = levels[n];
+    const multigrid::LevelPlan& level = levels[n];
     const double nodes =
         static_cast<double>(level.grid.nodes(0)) * level.grid.nodes(1) * level.grid.nodes(2);
     // Before and after the coarse correction, and its residual; the finest one's K v besides.
@@ -57,7 +59,7 @@ double memory_bytes(const std::vector<solver::LevelPlan>& levels) {
 }
 
 Times model(const Machine& machine, const grid::Partition& partition, const grid::Traffic& traffic,
-            const std::vector<solver::LevelPlan>& levels) {
+            const std::vector<multigrid::LevelPlan>& levels) {
   const double depth = std::ceil(std::log2(static_cast<double>(partition.ranks())));
   Times times{};
   times.memory = memory_bytes(levels) / machine.memory;
@@ -69,7 +71,7 @@ Times model(const Machine& machine, const grid::Partition& partition, const grid
                        2.0 * static_cast<double>(traffic.reduced_bytes) / machine.network;
   // The factor is read twice, forward and back.
   if (levels.back().is_direct)
-    times.coarsest = 2.0 * 8.0 * solver::CoarsestGrid::size(levels.back().grid) / machine.memory;
+    times.coarsest = 2.0 * 8.0 * multigrid::CoarsestGrid::size(levels.back().grid) / machine.memory;
   return times;
 }
 
@@ -85,7 +87,7 @@ void print(const Machine& machine, const grid::Index3& elements, int ranks) {
   }
   const grid::Traffic traffic = solver::iteration_traffic(partition, busiest, kind).total();
   const auto levels =
-      solver::plan_levels(grid::LevelGrid(partition, busiest), partition.grid().spacing, {});
+      multigrid::plan_levels(grid::LevelGrid(partition, busiest), partition.grid().spacing, {});
   const Times t = model(machine, partition, traffic, levels);
   std::printf(
       "| %lld x %lld x %lld | %d | %lld | %d | %lld | %.0f | %.0f | %.2f | %.2f | %.2f | %.2f | "

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// How near the product K v comes to the memory's bandwidth, and what assembly costs: all timed in
 /// turn with a STREAM triad on the same ranks, because these machines are noisy. Prints medians.
@@ -12,7 +14,7 @@
 #include <functional>
 #include <vector>
 
-#include "base/Session.hpp"
+#include "stroma/base/Session.hpp"
 #include "support/Specimen.hpp"
 
 namespace {
@@ -80,7 +82,7 @@ int main(int argc, char** argv) {
   const auto lean = specimen.balance(world);
   lean->choose_tangent(mechanics::TangentForm::stencil);
   lean->assemble_tangent(u);
-  const auto stencil = Teuchos::rcp_dynamic_cast<mechanics::StencilMatrix>(lean->tangent());
+  const auto stencil = Teuchos::rcp_dynamic_cast<tangent::StencilMatrix>(lean->tangent());
   const grid::NodeField<float> x_float("x", stencil->exchange().grid());
   const grid::NodeField<float> y_float("y", stencil->exchange().grid());
   stencil->to_field(v, 0, x_float);

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The ladder: one load step of 1 % (of the ten to 10 %) on a vessel phantom, 2 x 2 x 2 voxels an element, for each
 # grid, preconditioner and number of ranks; each linear solve to 1e-6. A Markdown table, and below it the STREAM triad and
 # the products K v, measured right after. Usage: tests/benchmark/ladder.sh [--write] [GRID...], a grid being NX,NY,NZ; the

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Ranks against threads on 2 cores: the ladder's load step on 1 rank, 2 ranks, and 1 rank of 2 threads, all with
 # the program of the preset threads. Prints a Markdown table of medians of three runs, taken in turn, because the
 # machines are noisy. Usage: tests/benchmark/ranks_and_threads.sh [GRID...], a grid being NX,NY,NZ; the

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Random sponges by default settings: do they run, with what force, in how many iterations?
 
     python3 tests/endurance/sponges.py build/release/bin/stroma [--count 50] [--seed 1] [--work FOLDER]

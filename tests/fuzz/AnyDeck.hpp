@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 #include "unit/deck/SampleDeck.hpp"
 
 namespace stroma::fuzz {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -7,8 +9,8 @@
 #include <cstdint>
 #include <string>
 
-#include "base/Error.hpp"
-#include "image/VolumeHeader.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/formats/VolumeHeader.hpp"
 
 namespace stroma::fuzz {
 

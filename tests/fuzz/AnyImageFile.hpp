@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -11,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "image/ImageSource.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/formats/ImageSource.hpp"
 
 namespace stroma::fuzz {
 

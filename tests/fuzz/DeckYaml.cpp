@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Fuzz target: any bytes, read as a deck in YAML.
 

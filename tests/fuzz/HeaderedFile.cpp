@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Fuzz target: a whole file of MetaImage, NRRD or NIfTI, values and all.
 
@@ -10,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "image/ImageSource.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/formats/ImageSource.hpp"
 
 namespace {
 

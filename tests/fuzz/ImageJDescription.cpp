@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Fuzz target: any text, read as ImageJ's description of a stack.
 
-#include "image/ImageJDescription.hpp"
+#include "stroma/image/formats/ImageJDescription.hpp"
 
 #include <cmath>
 #include <cstdlib>

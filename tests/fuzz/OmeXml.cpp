@@ -1,7 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Fuzz target: any text, read as OME-XML, and its planes dealt to the pages of a file of twelve.
 
-#include "image/OmeXml.hpp"
+#include "stroma/image/formats/OmeXml.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Mutates the decks of input_decks and tests/decks and gives them to the program.
 
     tests/fuzz/mutate_decks.py STROMA [--count 1000] [--seed 1] [--jobs 1] [--keep FOLDER]

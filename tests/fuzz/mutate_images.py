@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Mutates images of every format and looks how `stroma image` and `stroma check` take them.
 
   python3 tests/fuzz/mutate_images.py --program build/release/bin/stroma --count 500 --ranks 1,2 --seed 1 [FOLDER...]

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// Takes a body through its load steps without the program around it.
 
-#include "solver/LoadStep.hpp"
+#include "stroma/solver/LoadStep.hpp"
 
 namespace stroma::test {
 

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
 /// A body that does not sit on its lattice as it was seeded.
 
-#include "particles/Migration.hpp"
+#include "stroma/particles/Migration.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::test {

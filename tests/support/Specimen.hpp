@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -8,10 +10,10 @@
 #include <memory>
 #include <vector>
 
-#include "grid/ShapeGrid.hpp"
-#include "mechanics/MovingBody.hpp"
-#include "particles/Migration.hpp"
-#include "particles/Seeding.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/mechanics/MovingBody.hpp"
+#include "stroma/particles/Migration.hpp"
+#include "stroma/particles/Seeding.hpp"
 
 namespace stroma::test {
 

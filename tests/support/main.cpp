@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// main() of every test executable: starts MPI and Kokkos, runs the tests on all ranks, prints from
 /// rank 0 (and from any rank that failed), and fails everywhere when a test failed anywhere.
@@ -7,7 +9,7 @@
 
 #include <vector>
 
-#include "base/Session.hpp"
+#include "stroma/base/Session.hpp"
 
 int main(int argc, char** argv) {
   stroma::base::MpiSession mpi(&argc, &argv);

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The Markdown table of a scaling study, from what its jobs have left. Usage: scaling_table.sh DIR
 set -euo pipefail
 [[ $# -eq 1 && -d $1 ]] || { echo "usage: scaling_table.sh DIR" >&2; exit 2; }

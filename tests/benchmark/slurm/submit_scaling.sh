@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Submits a scaling study of the ladder's load step to Slurm, one job for each number of nodes.
 #
 #   submit_scaling.sh strong|weak [--nodes "1 2 4 8"] [--ranks N] [--threads N] [--grid NX,NY,NZ]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the small MetaImage, NRRD and NIfTI images of this folder, from which mutate_images.py starts."""
 import bz2
 import os

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the HDF5 seeds of mutate_images.py beside itself (python3-h5py, python3-numpy of Debian)."""
 import json
 import pathlib

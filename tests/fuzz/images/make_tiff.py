@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the sound TIFF and PIC files of this folder (numpy and tifffile; already here)."""
 import struct
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Every deck of tests/decks/bad holds one mistake. The program must end with exit status 2, name
 /// the mistake on standard error in a few plain lines, and leave nothing behind.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// `stroma check` and `stroma run` print the bounds of the stiffness where two materials are in the
 /// image, alike and on any ranks, and say nothing where there is one. Claim V-BOUNDS,

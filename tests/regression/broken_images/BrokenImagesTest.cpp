@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A broken image ends `stroma image` and `stroma run` with exit status 2, a plain message, and
 /// nothing else: no banner, no output folder. (Every format's own ways to be broken:

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Mistakes made on the command line: exit status 2, nothing written, and a message that says what
 /// was meant or what is admissible.

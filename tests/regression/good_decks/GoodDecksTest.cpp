@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Every deck of input_decks passes `stroma check` and runs, and what it finds obeys laws that hold
 /// whatever the specimen looks like. No stored results: the laws are
@@ -16,7 +18,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "material/NeoHookean.hpp"
+#include "stroma/material/NeoHookean.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {

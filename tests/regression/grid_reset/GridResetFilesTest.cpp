@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What a run with grid reset leaves on disk: particles in one order whatever they did, a grid file
 /// for each grid, the same on any number of ranks. Claim V-RESET-8, docs/verification.md.

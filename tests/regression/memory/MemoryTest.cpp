@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What a run would take is known, and refused where there is less, before anything is allocated;
 /// and it is what runs do take.
@@ -7,7 +9,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "base/Memory.hpp"
+#include "stroma/base/Memory.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {

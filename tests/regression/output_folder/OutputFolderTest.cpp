@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What lies in an output folder: nobody's files are removed or overwritten but those that a run of
 /// Stroma left, and one run at a time writes there.

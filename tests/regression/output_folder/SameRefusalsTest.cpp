@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What a run could not write is refused by `check` as it is by `run`.
 

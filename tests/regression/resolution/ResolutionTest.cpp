@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Decks whose grid does not go with their voxels, or with their material: run as a user does.
 

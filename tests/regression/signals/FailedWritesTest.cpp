@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What cannot be written is an error, not a loss: full devices, files at their limit, pipes that
 /// nobody reads.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// SIGTERM and SIGINT end a run after what is being written, with a line that says what is on disk.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Settings that packages of Trilinos refuse only when they are used: one message with the section,
 /// exit status 2 from `check` and `run`, on any number of ranks.

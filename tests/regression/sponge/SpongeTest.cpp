@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A porous body, of struts one voxel wide and elements that hold a single particle, runs by
 /// default. docs/theory.md, "Barely filled elements".

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A run whose steps fail says what helps there, and what it says helps; `check` says it before for
 /// a contrast of moduli that single precision does not resolve.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The residual that a run tells is the one there is; where rounding is as large as the forces no
 /// step is taken, and sizes that cannot be computed with are refused.

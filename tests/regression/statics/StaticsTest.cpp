@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Bodies that nothing holds against their loads are refused by `check` and `run` before anything
 /// is computed; pieces that carry no load change nothing.

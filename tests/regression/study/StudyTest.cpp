@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// `stroma study` as a user runs it: the table holds what its members' history.csv hold, a second
 /// call runs nothing again, a failing member stops no other, and a wrong study runs nothing.

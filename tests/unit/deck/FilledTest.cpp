@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// deck.xml, the deck with every default written out, reads back to the same values.
 

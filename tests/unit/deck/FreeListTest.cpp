@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Lists passed on to Trilinos packages: types, nesting, and names held against the package's own
 /// list.
@@ -5,7 +7,7 @@
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 
 #include "SampleDeck.hpp"
-#include "deck/FreeList.hpp"
+#include "stroma/deck/FreeList.hpp"
 
 namespace stroma::deck::sample {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A parameter that is a list or, in its place, a word: declared once, read from XML and YAML, as
 /// strict as any other.
@@ -10,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "deck/Document.hpp"
-#include "deck/Section.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Document.hpp"
+#include "stroma/deck/Section.hpp"
 
 namespace stroma::deck {
 namespace {

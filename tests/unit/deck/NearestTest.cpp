@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include <gtest/gtest.h>
 
-#include "deck/Nearest.hpp"
+#include "stroma/deck/Nearest.hpp"
 
 namespace stroma::deck {
 namespace {

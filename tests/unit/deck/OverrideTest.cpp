@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// --set: values laid over the deck from the command line, or by a study.
 

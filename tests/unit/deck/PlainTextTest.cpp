@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Names and texts that deck.xml cannot hold are mistakes, wherever they come from.
 
 #include "SampleDeck.hpp"
-#include "deck/PlainText.hpp"
+#include "stroma/deck/PlainText.hpp"
 
 namespace stroma::deck::sample {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The deck as a whole: values arrive, defaults hold, and every mistake is found in one go.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include "SampleDeck.hpp"
 
 namespace stroma::deck::sample {

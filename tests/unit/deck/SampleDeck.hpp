@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -13,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/Error.hpp"
-#include "deck/Section.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Section.hpp"
 
 namespace stroma::deck::sample {
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Text to value, strictly: each gap that Teuchos leaves open is a case here.
 
 #include <limits>
 
 #include "SampleDeck.hpp"
-#include "deck/Value.hpp"
+#include "stroma/deck/Value.hpp"
 
 namespace stroma::deck {
 namespace {

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// From the deck's element size to a grid over the specimen.
 
 #include <gtest/gtest.h>
 
-#include "base/Error.hpp"
-#include "grid/GridSection.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/grid/GridSection.hpp"
 
 namespace stroma::grid {
 namespace {

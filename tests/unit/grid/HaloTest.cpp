@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The exchange of nodal values between neighbours. Run on 1, 2 and 4 ranks.
 
 #include <gtest/gtest.h>
 
-#include "grid/Halo.hpp"
+#include "stroma/grid/Halo.hpp"
 
 namespace stroma::grid {
 namespace {

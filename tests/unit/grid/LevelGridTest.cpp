@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Levels of coarser grids in one partition, and sums at the nodes that ranks share.
 
 #include <gtest/gtest.h>
 
-#include "grid/BoxExchange.hpp"
-#include "grid/LevelGrid.hpp"
+#include "stroma/grid/BoxExchange.hpp"
+#include "stroma/grid/LevelGrid.hpp"
 
 namespace stroma::grid {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Who owns what: every element and node exactly once, in boxes, numbered without gaps.
 
@@ -6,8 +8,8 @@
 #include <numeric>
 #include <set>
 
-#include "base/Error.hpp"
-#include "grid/Partition.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/grid/Partition.hpp"
 
 namespace stroma::grid {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Every kind of broken image is one clear InputError on all ranks, and no library says a word
 /// beside it.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Every format that Stroma reads, written here and read back value by value.
 
@@ -6,7 +8,7 @@
 #include <zlib.h>
 
 #include "ReadBack.hpp"
-#include "image/WriteTiff.hpp"
+#include "stroma/image/formats/WriteTiff.hpp"
 
 namespace stroma::test {
 namespace {

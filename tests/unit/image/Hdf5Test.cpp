@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// HDF5 as programs write it: stated axes, Imaris, BigDataViewer, masks, sparse and unsupported
 /// storage.
@@ -9,9 +11,9 @@
 #include <cmath>
 
 #include "WriteFiles.hpp"
-#include "base/Error.hpp"
-#include "image/Hdf5Axes.hpp"
-#include "image/ReadVolume.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/formats/Hdf5Axes.hpp"
 
 namespace stroma::test {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// MetaImage, NRRD and NIfTI: every way in which a header may say where values lie, and what a
 /// header must not say. The files of tests/data/cases went wrong once.
@@ -13,8 +15,8 @@
 #include <limits>
 
 #include "ReadBack.hpp"
-#include "base/Log.hpp"
-#include "image/Histogram.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/image/labels/Histogram.hpp"
 
 namespace stroma::test {
 namespace {

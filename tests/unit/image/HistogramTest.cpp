@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Histograms, percentiles and Otsu's threshold against their definitions.
 
@@ -7,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/Error.hpp"
-#include "image/CounterRandom.hpp"
-#include "image/Histogram.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/labels/Histogram.hpp"
+#include "stroma/image/phantom/CounterRandom.hpp"
 
 namespace stroma::test {
 namespace {

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The deck section "Image": what it reads, and the mistakes it finds.
 
 #include <gtest/gtest.h>
 
-#include "base/Error.hpp"
-#include "deck/Document.hpp"
-#include "image/ImageSection.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Document.hpp"
+#include "stroma/image/ImageSection.hpp"
 
 namespace stroma::test {
 namespace {
@@ -33,7 +35,8 @@ void expect_mistake(const std::string& image, const std::string& words) {
 TEST(ImageSection, ReadsAFileAndItsSegmentation) {
   const image::ImageParameters p =
       read(
-          "    File: gel.tif\n    Channel: 1\n    Frame: 2\n    Voxel Size [um]: [1.05, 1.05, 1.0]\n"
+          "    File: gel.tif\n    Channel: 1\n    Frame: 2\n    Voxel Size [um]: [1.05, 1.05, "
+          "1.0]\n"
           "    Region: [0, 1, 2, 3, 4, 5]\n    Segmentation:\n      Method: Threshold\n"
           "      Threshold: 90.0\n      Smoothing [um]: 0.5\n      Smallest Object: 27\n")
           .image;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include "LibraryMessages.hpp"
 
 #include <unistd.h>

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Connected objects, counted over slabs, against a flood fill of the whole volume.
 
@@ -6,9 +8,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "image/CounterRandom.hpp"
-#include "image/Fragments.hpp"
-#include "image/Objects.hpp"
+#include "stroma/image/labels/Fragments.hpp"
+#include "stroma/image/labels/Objects.hpp"
+#include "stroma/image/phantom/CounterRandom.hpp"
 
 namespace stroma::test {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Phantoms: shapes against their formulas, vessel networks against the fraction asked for.
 
@@ -5,13 +7,13 @@
 
 #include <cmath>
 
-#include "PhantomCommand.hpp"
 #include "WriteFiles.hpp"
-#include "base/Error.hpp"
-#include "image/Objects.hpp"
-#include "image/Phantom.hpp"
-#include "image/ReadVolume.hpp"
-#include "image/Segmentation.hpp"
+#include "commands/PhantomCommand.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/labels/Objects.hpp"
+#include "stroma/image/labels/Segmentation.hpp"
+#include "stroma/image/phantom/Phantom.hpp"
 
 namespace stroma::test {
 namespace {

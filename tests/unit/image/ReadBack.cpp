@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include "ReadBack.hpp"
 
 #include <gtest/gtest.h>
@@ -5,7 +7,7 @@
 #include <algorithm>
 
 #include "LibraryMessages.hpp"
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 
 namespace stroma::test {
 

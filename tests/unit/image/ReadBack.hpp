@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,7 +8,7 @@
 #include <string>
 
 #include "WriteFiles.hpp"
-#include "image/ReadVolume.hpp"
+#include "stroma/image/ReadVolume.hpp"
 
 namespace stroma::test {
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The real images of tests/data/images, against the figures in the text beside each, which were
 /// computed with other software.
@@ -10,12 +12,12 @@
 #include <fstream>
 #include <sstream>
 
-#include "ImageCommand.hpp"
 #include "WriteFiles.hpp"
-#include "image/Histogram.hpp"
-#include "image/Objects.hpp"
-#include "image/ReadVolume.hpp"
-#include "image/Segmentation.hpp"
+#include "commands/ImageCommand.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/labels/Histogram.hpp"
+#include "stroma/image/labels/Objects.hpp"
+#include "stroma/image/labels/Segmentation.hpp"
 
 namespace stroma::test {
 namespace {

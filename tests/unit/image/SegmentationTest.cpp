@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// From an image file to labels: methods, region, smoothing, small objects, fractions.
 
@@ -6,9 +8,9 @@
 #include <cmath>
 
 #include "WriteFiles.hpp"
-#include "base/Error.hpp"
-#include "image/ReadVolume.hpp"
-#include "image/Segmentation.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/labels/Segmentation.hpp"
 
 namespace stroma::test {
 namespace {

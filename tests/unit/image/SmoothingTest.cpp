@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Gaussian smoothing against the analytic Gaussian, and its invariants.
 
@@ -6,8 +8,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "image/CounterRandom.hpp"
-#include "image/Smoothing.hpp"
+#include "stroma/image/labels/Smoothing.hpp"
+#include "stroma/image/phantom/CounterRandom.hpp"
 
 namespace stroma::test {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What microscopes and ImageJ put into TIFF files beside plain pages.
 
@@ -11,9 +13,9 @@
 #include <filesystem>
 
 #include "ReadBack.hpp"
-#include "base/Error.hpp"
-#include "image/Histogram.hpp"
-#include "image/ImageSource.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/formats/ImageSource.hpp"
+#include "stroma/image/labels/Histogram.hpp"
 
 namespace stroma::test {
 namespace {

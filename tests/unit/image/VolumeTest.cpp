@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Slabs, and boxes of voxels taken from wherever they lie.
 
 #include <gtest/gtest.h>
 
-#include "image/Volume.hpp"
+#include "stroma/image/volume/Volume.hpp"
 
 namespace stroma::test {
 namespace {

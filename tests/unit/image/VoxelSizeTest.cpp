@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Where the size of a voxel is found, which place wins, and that it is never a silent 1.
 
 #include <gtest/gtest.h>
 
 #include "WriteFiles.hpp"
-#include "base/Error.hpp"
-#include "image/LengthUnit.hpp"
-#include "image/ReadVolume.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/volume/LengthUnit.hpp"
 
 namespace stroma::test {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include "WriteFiles.hpp"
 
 #include <hdf5.h>
@@ -9,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/Log.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::test {
 namespace {

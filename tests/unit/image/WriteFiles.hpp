@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -11,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "base/Communicator.hpp"
-#include "image/ImageSummary.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/image/volume/ImageSummary.hpp"
 
 namespace stroma::test {
 

@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Bounds of a mixture: figures by hand, the textbooks' two-phase forms, limits and order. Claim
 /// V-BOUNDS, docs/verification.md.
 
 #include <gtest/gtest.h>
 
-#include "material/Bounds.hpp"
+#include "stroma/material/Bounds.hpp"
 
 namespace stroma::material {
 namespace {

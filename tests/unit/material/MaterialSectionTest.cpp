@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// From the deck's materials to laws.
 
 #include <gtest/gtest.h>
 
-#include "material/Material.hpp"
+#include "stroma/material/Material.hpp"
 
 namespace stroma::material {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The neo-Hookean law, with either energy of volume, against its own energy, and against Hooke's
 /// law at tiny strains. Claims V-MAT-1 to V-MAT-6, docs/verification.md.
@@ -6,8 +8,8 @@
 
 #include <cmath>
 
-#include "material/Material.hpp"
-#include "material/NeoHookean.hpp"
+#include "stroma/material/Material.hpp"
+#include "stroma/material/NeoHookean.hpp"
 
 namespace stroma::material {
 namespace {

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What a face condition asks of a point.
 
 #include <gtest/gtest.h>
 
-#include "mechanics/BoundaryConditions.hpp"
+#include "stroma/mechanics/BoundaryConditions.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::mechanics {

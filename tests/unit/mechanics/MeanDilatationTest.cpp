@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The mean dilatation of elements: energy, force and tangent belong together, for all shape
 /// functions, in space and in plane strain, on the undeformed base and on one that a grid reset has

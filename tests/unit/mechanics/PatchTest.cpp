@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Patch tests. A convected grid of hats holds every linear displacement, so that, under nodal
 /// values u = G X,

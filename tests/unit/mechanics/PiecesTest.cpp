@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Connected pieces of a body: how many there are on any number of ranks, which of them leave the
 /// system, and which bodies nothing holds against their loads. Claim V-SUP-3, docs/verification.md.
@@ -7,8 +9,8 @@
 #include <random>
 
 #include "Refusal.hpp"
-#include "base/Log.hpp"
-#include "mechanics/PieceStatics.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/mechanics/PieceStatics.hpp"
 
 namespace stroma::mechanics {
 namespace {

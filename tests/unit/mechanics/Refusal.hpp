@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -5,7 +7,7 @@
 
 #include <string>
 
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::mechanics {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Rigid motions that the conditions leave free are found, counted and held. Claim V-SUP-1,
 /// docs/verification.md.
@@ -6,7 +8,7 @@
 
 #include <set>
 
-#include "mechanics/RigidMotion.hpp"
+#include "stroma/mechanics/RigidMotion.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::mechanics {

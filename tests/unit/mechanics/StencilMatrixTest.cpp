@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The tangent as a stencil: the compressed matrix's products, half the blocks, the same on any
 /// number of ranks. Claim V-TAN-4, docs/verification.md.

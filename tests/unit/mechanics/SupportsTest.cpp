@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Prescribed components: their values, their reactions, and contradictions between conditions.
 
 #include <gtest/gtest.h>
 
 #include "Refusal.hpp"
-#include "mechanics/Supports.hpp"
+#include "stroma/mechanics/Supports.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The assembled tangent: derivative of the residual, symmetric, and the same on any number of
 /// ranks. Claims V-TAN-1 to V-TAN-3, docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Curves of a study are told apart: no two look alike, and the legend names what they show.
 
@@ -5,7 +7,7 @@
 
 #include <set>
 
-#include "output/CurveStyles.hpp"
+#include "stroma/output/pictures/CurveStyles.hpp"
 
 namespace stroma::output {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// deck.xml reads back as the same list, digit by digit, in spite of the comment at its head.
 
@@ -7,8 +9,8 @@
 #include <Teuchos_XMLParameterListCoreHelpers.hpp>
 
 #include "TemporaryFolder.hpp"
-#include "base/Error.hpp"
-#include "output/DeckFile.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/DeckFile.hpp"
 
 namespace stroma {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// grid.e, read back with the Exodus library: geometry, numbers, inactive elements, shared nodes.
 
@@ -8,8 +10,8 @@
 #include <set>
 
 #include "TemporaryFolder.hpp"
-#include "base/Error.hpp"
-#include "output/GridFile.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/GridFile.hpp"
 #include "support/ExodusReader.hpp"
 
 namespace stroma {

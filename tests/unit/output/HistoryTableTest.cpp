@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// history.csv comes back as History wrote it, to the last bit; half a row does not count.
 
@@ -6,9 +8,9 @@
 #include <cmath>
 
 #include "TemporaryFolder.hpp"
-#include "base/Error.hpp"
-#include "output/History.hpp"
-#include "output/HistoryTable.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/History.hpp"
+#include "stroma/output/files/HistoryTable.hpp"
 
 namespace stroma {
 namespace {

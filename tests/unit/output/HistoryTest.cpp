@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// history.csv to the last digit, row by row, and when it cannot be written.
 
@@ -8,8 +10,8 @@
 #include <limits>
 
 #include "TemporaryFolder.hpp"
-#include "base/Error.hpp"
-#include "output/History.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/History.hpp"
 
 namespace stroma {
 namespace {

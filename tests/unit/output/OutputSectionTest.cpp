@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The deck section "Output": its defaults, its words, and when a step is written.
 
 #include <gtest/gtest.h>
 
-#include "base/Error.hpp"
-#include "deck/Document.hpp"
-#include "output/OutputSection.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Document.hpp"
+#include "stroma/output/OutputSection.hpp"
 
 namespace stroma {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// particles.e, read back with the Exodus library: values, names, counts, numbers, spread files.
 
@@ -10,8 +12,8 @@
 #include <filesystem>
 
 #include "TemporaryFolder.hpp"
-#include "base/Error.hpp"
-#include "output/ParticleFile.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/ParticleFile.hpp"
 #include "support/ExodusReader.hpp"
 
 namespace stroma {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The pictures exist, are PNG files of the size that the scripts ask for, and can be drawn again.
 
@@ -12,9 +14,9 @@
 #include <thread>
 
 #include "TemporaryFolder.hpp"
-#include "base/Signals.hpp"
-#include "output/Gnuplot.hpp"
-#include "output/Pictures.hpp"
+#include "stroma/base/Signals.hpp"
+#include "stroma/output/pictures/Gnuplot.hpp"
+#include "stroma/output/pictures/Pictures.hpp"
 
 namespace stroma {
 namespace {

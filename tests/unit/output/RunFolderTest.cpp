@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The output folder: made, refused, and cleared of an earlier run's results only.
 
@@ -7,9 +9,9 @@
 #include <filesystem>
 
 #include "TemporaryFolder.hpp"
-#include "base/Error.hpp"
-#include "output/Manifest.hpp"
-#include "output/RunFolder.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/Manifest.hpp"
+#include "stroma/output/files/RunFolder.hpp"
 
 namespace stroma {
 namespace {

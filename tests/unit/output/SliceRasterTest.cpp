@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The numbers behind the pictures: the layer, the pixels, holes filled and not filled.
 
@@ -5,7 +7,7 @@
 
 #include <cmath>
 
-#include "output/SliceRaster.hpp"
+#include "stroma/output/pictures/SliceRaster.hpp"
 
 namespace stroma {
 namespace {

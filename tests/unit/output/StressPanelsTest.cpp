@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A picture's raster is read back as it was drawn, and panels of several stand on one scale.
 
@@ -8,9 +10,9 @@
 #include <limits>
 
 #include "TemporaryFolder.hpp"
-#include "output/PictureFile.hpp"
-#include "output/RasterPlot.hpp"
-#include "output/StressPanels.hpp"
+#include "stroma/output/pictures/PictureFile.hpp"
+#include "stroma/output/pictures/RasterPlot.hpp"
+#include "stroma/output/pictures/StressPanels.hpp"
 
 namespace stroma::output {
 namespace {

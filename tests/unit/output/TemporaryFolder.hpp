@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -10,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "base/Communicator.hpp"
+#include "stroma/base/Communicator.hpp"
 
 namespace stroma {
 

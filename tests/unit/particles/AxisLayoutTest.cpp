@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Where particles lie along one axis. Claim V-PAR-1, docs/verification.md.
 
@@ -7,7 +9,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "particles/Seeding.hpp"
+#include "stroma/particles/Seeding.hpp"
 
 namespace stroma::particles {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Particles that move across the grid and between ranks. Run on 1, 2 and 4 ranks. Claim V-PAR-3,
 /// docs/verification.md.
@@ -7,10 +9,10 @@
 #include <cmath>
 #include <set>
 
-#include "base/Error.hpp"
-#include "particles/Exchange.hpp"
-#include "particles/Migration.hpp"
-#include "particles/Seeding.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/particles/Exchange.hpp"
+#include "stroma/particles/Migration.hpp"
+#include "stroma/particles/Seeding.hpp"
 
 namespace stroma::particles {
 namespace {

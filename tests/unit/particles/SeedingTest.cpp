@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Particles from labels: the same particles whatever the number of ranks. Run on 1, 2 and 4 ranks.
 /// Claim V-PAR-2, docs/verification.md.
@@ -6,8 +8,8 @@
 
 #include <cmath>
 
-#include "base/Error.hpp"
-#include "particles/Seeding.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/particles/Seeding.hpp"
 
 namespace stroma::particles {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Trilinear hats: what every shape function owes the method. Claim V-SHA-1, docs/verification.md.
 
@@ -7,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "shape/Linear.hpp"
+#include "stroma/shape/Linear.hpp"
 
 namespace stroma::shape {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Shape functions wider than hats: what they owe the method, and what makes them smooth. Claim
 /// V-SHA-2, docs/verification.md.
@@ -10,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "grid/ShapeGrid.hpp"
-#include "shape/Cpdi.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/shape/Cpdi.hpp"
 
 namespace stroma::shape {
 namespace {

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What a run whose steps fail is told to try, and what is known of it.
 
 #include <gtest/gtest.h>
 
-#include "solver/Advice.hpp"
+#include "stroma/solver/Advice.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::solver {

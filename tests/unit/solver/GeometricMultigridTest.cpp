@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The geometric multigrid: Galerkin operators, a symmetric cycle, convergence that does not depend
 /// on size, contrast, ranks or the shape of the body. Claims V-GMG-1 to V-GMG-6,
@@ -8,15 +10,18 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mechanics/BarelyFilled.hpp"
-#include "solver/GeometricMultigrid.hpp"
-#include "solver/LinearSolver.hpp"
+#include "stroma/mechanics/BarelyFilled.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
+#include "stroma/solver/LinearSolver.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::solver {
 namespace {
 
 using grid::NodeField;
+using multigrid::ElementPatches;
+using multigrid::GeometricMultigrid;
+using multigrid::MultigridSettings;
 using test::Specimen;
 
 base::Communicator world() { return base::Communicator::world(); }
@@ -56,7 +61,7 @@ Specimen awkward(bool slice) {
 /// A body's tangent at some displacement, and cycles for it.
 struct Problem {
   std::unique_ptr<mechanics::MomentumBalance> balance;
-  grid::RCP<mechanics::StencilMatrix> matrix;
+  grid::RCP<tangent::StencilMatrix> matrix;
   grid::RCP<GeometricMultigrid> cycle;
 
   Problem(const Specimen& specimen, const base::Communicator& communicator,
@@ -66,7 +71,7 @@ struct Problem {
     grid::Vector u = scattered(0, displaced);
     balance->supports().clear(u);
     balance->assemble_tangent(u);
-    matrix = Teuchos::rcp_dynamic_cast<mechanics::StencilMatrix>(balance->tangent());
+    matrix = Teuchos::rcp_dynamic_cast<tangent::StencilMatrix>(balance->tangent());
     cycle = Teuchos::rcp(new GeometricMultigrid(
         matrix, balance->halo().partition().grid().spacing,
         with_patches ? mechanics::barely_held_elements(*balance) : ElementPatches::Chosen(),

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Newton's method: its order, its answers, and its refusals. Claims V-NEW-1 to V-NEW-4,
 /// docs/verification.md.
@@ -6,8 +8,8 @@
 
 #include <cmath>
 
-#include "base/Error.hpp"
-#include "solver/NewtonSolver.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/solver/NewtonSolver.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::solver {

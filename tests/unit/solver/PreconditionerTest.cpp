@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Every preconditioner leads to the same displacement; factors are exact. Claim V-LIN-1,
 /// docs/verification.md.
 
 #include <gtest/gtest.h>
 
-#include "solver/NewtonSolver.hpp"
-#include "solver/Preconditioner.hpp"
+#include "stroma/solver/NewtonSolver.hpp"
+#include "stroma/solver/Preconditioner.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::solver {

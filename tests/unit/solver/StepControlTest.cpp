@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The sequence of loads, with and without rejected steps.
 
@@ -5,7 +7,7 @@
 
 #include <vector>
 
-#include "solver/StepControl.hpp"
+#include "stroma/solver/StepControl.hpp"
 
 namespace stroma::solver {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// How forces depart from one another, by figures computed by hand.
 
@@ -5,7 +7,7 @@
 
 #include <cmath>
 
-#include "ForceDeparture.hpp"
+#include "study/ForceDeparture.hpp"
 
 namespace stroma {
 namespace {

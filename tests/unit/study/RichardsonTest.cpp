@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The extrapolation is exact for f = f0 + c h^p, and says when there is none.
 
@@ -5,7 +7,7 @@
 
 #include <cmath>
 
-#include "Richardson.hpp"
+#include "study/Richardson.hpp"
 
 namespace stroma {
 namespace {

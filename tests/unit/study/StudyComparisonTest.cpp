@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Which member is held against which, and what stands in the columns.
 
 #include <gtest/gtest.h>
 
-#include "StudyComparison.hpp"
+#include "study/StudyComparison.hpp"
 #include "support/Program.hpp"
 
 namespace stroma {

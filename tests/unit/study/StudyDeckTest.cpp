@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// From a study deck to its members: products, names, and what is refused.
 
@@ -5,9 +7,9 @@
 
 #include <set>
 
-#include "StudyDeck.hpp"
-#include "StudyMembers.hpp"
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
+#include "study/StudyDeck.hpp"
+#include "study/StudyMembers.hpp"
 #include "support/Program.hpp"
 
 namespace stroma {

@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The tables: a force along a displacement askew, members that failed, names with commas.
 
 #include <gtest/gtest.h>
 
-#include "StudyTable.hpp"
+#include "study/StudyTable.hpp"
 #include "support/Program.hpp"
 
 namespace stroma {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Principal values against tensors built from known ones, to rounding.
 
@@ -7,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-#include "tensor/PrincipalValues.hpp"
+#include "stroma/tensor/PrincipalValues.hpp"
 
 namespace stroma {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// x - ln(1 + x) and exp(x) - 1 - x to full precision. Claim V-TEN-2, docs/verification.md.
 
@@ -7,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "tensor/SmallDifference.hpp"
+#include "stroma/tensor/SmallDifference.hpp"
 
 namespace stroma::tensor {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Laws of 3 x 3 algebra, and the digits of the forms for small strains. Claims V-TEN-1 and
 /// V-TEN-2, docs/verification.md.
@@ -7,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tensor/Tensor3.hpp"
+#include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::tensor {
 namespace {

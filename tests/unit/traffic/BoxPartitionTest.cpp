@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The traffic of equal boxes of n x n x n elements against its closed form.
 
 #include <gtest/gtest.h>
 
-#include "solver/GeometricMultigrid.hpp"
-#include "solver/IterationTraffic.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
+#include "stroma/solver/IterationTraffic.hpp"
 
 namespace stroma::test {
 namespace {
@@ -74,9 +76,9 @@ TEST(BoxPartition, OneRankSendsNothing) {
 TEST(BoxPartition, ALevelBelowSendsAQuarter) {
   // Three levels of 3 x 3 x 3 boxes: 8, 4, 2 elements, the last one solved by factors.
   const grid::Partition partition = cube(3, 8);
-  const solver::MultigridSettings settings;
+  const multigrid::MultigridSettings settings;
   const auto levels =
-      solver::plan_levels(grid::LevelGrid(partition, centre), {1.0, 1.0, 1.0}, settings);
+      multigrid::plan_levels(grid::LevelGrid(partition, centre), {1.0, 1.0, 1.0}, settings);
   const auto cycle =
       *solver::iteration_traffic(partition, centre, solver::PreconditionerKind::geometric_multigrid)
            .preconditioner;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include "unit/traffic/CountedMpi.hpp"
 
 #include <mpi.h>

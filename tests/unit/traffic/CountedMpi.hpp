@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #pragma once
 
 /// \file
@@ -6,7 +8,7 @@
 
 #include <functional>
 
-#include "grid/Traffic.hpp"
+#include "stroma/grid/Traffic.hpp"
 
 namespace stroma::test {
 

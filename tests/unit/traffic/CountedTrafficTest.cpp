@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// What the arithmetic says against what MPI is really given to send.
 
 #include <gtest/gtest.h>
 
-#include "solver/GeometricMultigrid.hpp"
-#include "solver/IterationTraffic.hpp"
-#include "solver/LinearSolver.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
+#include "stroma/solver/IterationTraffic.hpp"
+#include "stroma/solver/LinearSolver.hpp"
 #include "support/Specimen.hpp"
 #include "unit/traffic/CountedMpi.hpp"
 
@@ -86,8 +88,8 @@ TEST_F(CountedTraffic, OfACycle) {
   balance->choose_tangent(mechanics::TangentForm::stencil);
   balance->assemble_tangent(u);
   const auto stencil =
-      Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(balance->tangent(), true);
-  solver::GeometricMultigrid multigrid(stencil, partition.grid().spacing);
+      Teuchos::rcp_dynamic_cast<const tangent::StencilMatrix>(balance->tangent(), true);
+  multigrid::GeometricMultigrid multigrid(stencil, partition.grid().spacing);
   multigrid.compute();
   ASSERT_GT(multigrid.levels(), 1);
   const auto kind = PreconditionerKind::geometric_multigrid;

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The coloured loop over elements: each once, and no two neighbours at the same time.
 
@@ -5,7 +7,7 @@
 
 #include <array>
 
-#include "transfer/ElementLoop.hpp"
+#include "stroma/transfer/ElementLoop.hpp"
 
 namespace stroma::transfer {
 namespace {

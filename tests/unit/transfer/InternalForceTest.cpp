@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Force and tangent of particles on a grid: power, energy and derivative. Claims V-TRA-1 to
 /// V-TRA-4, docs/verification.md.
@@ -8,9 +10,9 @@
 #include <random>
 #include <string>
 
-#include "shape/Linear.hpp"
-#include "transfer/GridToParticles.hpp"
-#include "transfer/InternalForce.hpp"
+#include "stroma/shape/Linear.hpp"
+#include "stroma/transfer/GridToParticles.hpp"
+#include "stroma/transfer/InternalForce.hpp"
 
 namespace stroma::transfer {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A slender cantilever under a tip load, bent far, on a grid that is reset. Claim V-CANT-1,
 /// docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A column under its own weight, whose particles cross many elements. Claims V-COL-1 to V-COL-4,
 /// docs/verification.md.

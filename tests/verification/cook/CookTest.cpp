@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Cook's membrane: a tapered panel that is clamped at its left end and sheared at its right one.
 /// Claims V-COOK-1 to V-COOK-3, docs/verification.md.
 
 #include <gtest/gtest.h>
 
-#include "material/Material.hpp"
+#include "stroma/material/Material.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/Specimen.hpp"

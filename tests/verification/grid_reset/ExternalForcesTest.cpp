@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Forces on particles: their balance, and bodies under them whose answer is known. Claims V-FEXT-1
 /// to V-FEXT-3, docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The grid that is reset after each step. Claims V-RESET-1 to V-RESET-7, docs/verification.md.
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Deformation Gradient = Projected Displacement, the paper's equations 1 and 2, and what they cost
 /// at a face. Claims V-PROJ-1 and V-PROJ-2, docs/verification.md.

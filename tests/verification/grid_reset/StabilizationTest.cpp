@@ -1,10 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The fictitious material of barely filled elements: what it cures and what it costs. Claims
 /// V-STAB-1 and V-STAB-2, docs/verification.md.
 
 #include <gtest/gtest.h>
 
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShiftedBody.hpp"
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A stiff ball in a large block, against Eshelby. Claims V-ESH-1 and V-ESH-2,
 /// docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A laminate of a soft and a stiff layer, pulled across and along, with the interface on faces of
 /// elements and inside elements. Claims V-LAM-1 to V-LAM-3, docs/verification.md.

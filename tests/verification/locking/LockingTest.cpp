@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Nearly incompressible blocks in plane strain, nu = 0.499: hats, GIMP and CPDI lock, and the mean
 /// dilatation of elements cures them; B-splines lock little. The figures they should tend to were
@@ -5,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "material/Material.hpp"
+#include "stroma/material/Material.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A displacement that was chosen, and the body force that makes it the solution: how fast the
 /// method approaches it. Claims V-MAN-1 to V-MAN-4, docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The paper's own slice (512 x 512 pixels, plane strain, rollers, 10 %) against the independent
 /// solution of tests/data/reference/slice25.md, to 1e-6. Claim V-SLICE, docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The claims of docs/paper_study.md, on members of input_decks/07_paper_study: what resetting the
 /// grid does with linear shape functions, and what it does not do without. On the paper's own

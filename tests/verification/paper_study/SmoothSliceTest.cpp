@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The paper's slice on a grid that is reset, with shape functions that cure the artefact of
 /// crossing, on members of input_decks/08_smooth_shapes, on the paper's own slice. Claims V-STUDY-4

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Conditions imposed by penalty, with every shape function, on a grid that is reset and on one
 /// that is not. Claims V-PEN-1 to V-PEN-5, docs/verification.md.
@@ -6,7 +8,7 @@
 
 #include <cmath>
 
-#include "base/Error.hpp"
+#include "stroma/base/Error.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A uniform block is as stiff as it is, whatever the resolution: elements from a quarter of a
 /// voxel to eight of them, another ratio along each axis. Claims V-QUAD-1 to V-QUAD-4,

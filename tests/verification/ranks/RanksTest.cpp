@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A vascularised block on 1, 2 and 4 ranks: the same iterations, the same forces. Claim V-RANKS,
 /// docs/verification.md.

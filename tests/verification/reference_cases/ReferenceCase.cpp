@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 #include "ReferenceCase.hpp"
 
-#include "image/WriteTiff.hpp"
+#include "stroma/image/formats/WriteTiff.hpp"
 
 namespace stroma::test {
 namespace {

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// The program against independent finite element solutions of the paper's law
 /// (tests/data/reference). Without grid reset, with particles at the references' points, linear

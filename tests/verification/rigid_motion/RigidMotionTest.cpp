@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Rigid motions leave no stress, whatever the shape functions. Claims V-SHA-3 and V-SHA-4,
 /// docs/verification.md.

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// Prints a hash of every bit that the kernels compute on a few bodies, one line per quantity and
 /// rank. ThreadsTest.cpp runs it with different numbers of threads and compares the lines.
@@ -6,8 +8,8 @@
 #include <cstdio>
 #include <string>
 
-#include "base/Session.hpp"
-#include "solver/GeometricMultigrid.hpp"
+#include "stroma/base/Session.hpp"
+#include "stroma/multigrid/GeometricMultigrid.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::test {
@@ -51,15 +53,15 @@ void take_multigrid(const Fingerprint& fingerprint, const std::string& body,
   balance.choose_tangent(mechanics::TangentForm::stencil);
   balance.assemble_tangent(u);
   const auto stencil =
-      Teuchos::rcp_dynamic_cast<const mechanics::StencilMatrix>(balance.tangent(), true);
+      Teuchos::rcp_dynamic_cast<const tangent::StencilMatrix>(balance.tangent(), true);
   fingerprint.print(body, "stencil", stencil->stencil().values());
   grid::Vector result(balance.owned_map());
   stencil->apply(v, result);
   fingerprint.print(body, "stencil times", result);
-  solver::MultigridSettings settings;
+  multigrid::MultigridSettings settings;
   settings.direct_work = 1e6;  // so that these small bodies have coarser levels
-  solver::GeometricMultigrid multigrid(stencil, balance.halo().partition().grid().spacing, {},
-                                       settings);
+  multigrid::GeometricMultigrid multigrid(stencil, balance.halo().partition().grid().spacing, {},
+                                          settings);
   multigrid.compute();
   fingerprint.print(body, "coarsest stencil", multigrid.stencil(multigrid.levels() - 1).values());
   multigrid.apply(v, result);

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// 1, 2 and 3 threads: the same bits from every kernel, and the same history of a run. Claim
 /// V-THREADS, docs/verification.md.

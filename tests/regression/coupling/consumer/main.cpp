@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
 /// \file
 /// A Trilinos application of its own that couples to Stroma: it makes a body from labels that it
 /// holds itself, hands the balance of momentum to its own solver as a Thyra model, and reads the
@@ -7,9 +9,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "mechanics/MomentumBalance.hpp"
-#include "particles/Seeding.hpp"
-#include "solver/NewtonSolver.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
+#include "stroma/particles/Seeding.hpp"
+#include "stroma/solver/NewtonSolver.hpp"
 
 int main(int argc, char** argv) {
   using namespace stroma;

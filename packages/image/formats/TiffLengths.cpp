@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/image/formats/TiffLengths.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "stroma/base/Log.hpp"
+#include "stroma/image/volume/LengthUnit.hpp"
+
+namespace stroma::image {
+namespace {
+
+using base::format;
+
+/// 1 / resolution. Where a decimal of at most 6 digits gives the same tag, up to the rounding of
+/// its writer, it is that decimal: 952381 / 1000000 pixels per micron is 1.05 um, not 1.0499999475.
+double length_of_pixel(double resolution, double rounding) {
+  const double length = 1.0 / resolution;
+  for (int digits = 1; digits <= 6; ++digits) {
+    const double candidate = std::strtod(format("%.*g", digits, length).c_str(), nullptr);
+    if (std::abs(1.0 / candidate - resolution) <= rounding) return candidate;
+  }
+  return length;
+}
+
+/// Resolutions of printers and screens are no calibration.
+void take_resolution(ImageSummary& summary, int axis, const std::optional<double>& resolution,
+                     double rounding, const std::optional<double>& scale, const std::string& unit,
+                     const std::string& place) {
+  if (!resolution || !scale) return;
+  const double per_inch = *resolution * 25400.0 / *scale;
+  const bool printer = (place != "ImageJ tags" || unit == "inch") && per_inch < 1300.0;
+  if (printer) {
+    if (axis == 0)
+      summary.notes.push_back(
+          format("%g pixels per %s is a printer's or a screen's resolution; not used", *resolution,
+                 unit.c_str()));
+    return;
+  }
+  summary.voxel_size.set(axis, length_of_pixel(*resolution, rounding) * *scale, place);
+}
+
+}  // namespace
+
+void take_resolution_lengths(ImageSummary& summary, const TiffTags& tags) {
+  if (tags.resolution_unit == RESUNIT_NONE) return;
+  const bool inch = tags.resolution_unit == RESUNIT_INCH;
+  const std::optional<double> scale = inch ? 25400.0 : 1e4;
+  const char* unit = inch ? "inch" : "cm";
+  take_resolution(summary, 0, tags.pixels_per_unit_x, tags.rounding_x, scale, unit,
+                  "TIFF resolution tags");
+  take_resolution(summary, 1, tags.pixels_per_unit_y, tags.rounding_y, scale, unit,
+                  "TIFF resolution tags");
+}
+
+void take_imagej_lengths(ImageSummary& summary, const TiffTags& tags,
+                         const ImageJDescription& imagej) {
+  const auto scale = micrometres_per(imagej.unit);
+  if (!scale) {
+    if (!imagej.unit.empty() && imagej.unit != "pixel" && imagej.unit != "pixels")
+      summary.notes.push_back("ImageJ's unit \"" + imagej.unit +
+                              "\" is no unit of length known here; not used");
+    take_resolution_lengths(summary, tags);
+    return;
+  }
+  take_resolution(summary, 0, tags.pixels_per_unit_x, tags.rounding_x, scale, imagej.unit,
+                  "ImageJ tags");
+  take_resolution(summary, 1, tags.pixels_per_unit_y, tags.rounding_y,
+                  micrometres_per(imagej.y_unit), imagej.unit, "ImageJ tags");
+  // ImageJ leaves the spacing out where it is 1.
+  const auto z_scale = micrometres_per(imagej.z_unit);
+  const double spacing = imagej.spacing.value_or(1.0);
+  if (spacing > 0.0 && std::isfinite(spacing) && z_scale) {
+    summary.voxel_size.set(2, spacing * *z_scale, "ImageJ tags");
+    if (!imagej.spacing)
+      summary.notes.push_back("ImageJ states no spacing of the slices, which means 1 " +
+                              imagej.z_unit);
+  } else if (spacing != 0.0) {
+    summary.notes.push_back(format("ImageJ's spacing, %g \"%s\", is no length above 0; not used",
+                                   spacing, imagej.z_unit.c_str()));
+  }
+}
+
+void take_ome_lengths(ImageSummary& summary, const OmePixels& ome) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::optional<double>& size = ome.physical_size[axis];
+    const auto scale = micrometres_per(ome.physical_unit[axis]);
+    if (!size) continue;
+    if (*size > 0.0 && std::isfinite(*size) && scale) {
+      summary.voxel_size.set(static_cast<int>(axis), *size * *scale, "OME attributes");
+    } else if (!scale) {
+      summary.notes.push_back("the OME attributes give the voxel size in \"" +
+                              ome.physical_unit[axis] +
+                              "\", which is no unit of length known here; not used");
+    } else {
+      summary.notes.push_back(
+          format("the OME attribute PhysicalSize%c is no number above 0; not used", "XYZ"[axis]));
+    }
+  }
+}
+
+void take_stk_lengths(ImageSummary& summary, const StkTags& stk) {
+  const auto scale = micrometres_per(stk.unit);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::optional<double>& size = stk.pixel_size[axis];
+    if (size && *size > 0.0 && scale) {
+      summary.voxel_size.set(static_cast<int>(axis), *size * *scale, "MetaMorph tags");
+    } else if (size && axis == 0) {
+      summary.notes.push_back(
+          format("MetaMorph's calibration, %g \"%s\", is no known length; not used", *size,
+                 stk.unit.c_str()));
+    }
+  }
+  // The first distance is from a plane that is not there, unless it is the only one.
+  const auto& distances = stk.z_distances;
+  if (distances.empty()) return;
+  const auto first = distances.begin() + (distances.size() > 1 ? 1 : 0);
+  if (*first > 0.0 && std::all_of(first, distances.end(), [&](double d) { return d == *first; })) {
+    summary.voxel_size.set(2, *first, "MetaMorph tags");
+  } else if (distances.size() > 1) {
+    summary.notes.push_back(
+        "MetaMorph's distances between the planes are 0 or differ; not used. All planes are "
+        "stacked along z, even those of a time series");
+  }
+}
+
+void take_lsm_lengths(ImageSummary& summary, const LsmTags& lsm) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double metres = lsm.voxel_size[axis];
+    if (metres > 0.0 && metres < 1.0)
+      summary.voxel_size.set(static_cast<int>(axis), 1e6 * metres, "Zeiss tags");
+  }
+}
+
+}  // namespace stroma::image

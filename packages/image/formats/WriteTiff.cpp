@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/image/formats/WriteTiff.hpp"
+
+#include <tiffio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/image/formats/TiffPages.hpp"
+
+namespace stroma::image {
+namespace {
+
+struct Close {
+  void operator()(TIFF* file) const { TIFFClose(file); }
+};
+
+/// ImageJ's description of a stack of `planes` pages.
+std::string imagej_description(std::int64_t planes, double spacing) {
+  return base::format(
+      "ImageJ=1.53t\nimages=%lld\nslices=%lld\nunit=micron\nspacing=%.9g\nloop=false\n",
+      static_cast<long long>(planes), static_cast<long long>(planes), spacing);
+}
+
+constexpr const char* stroma_software = "Stroma";
+
+/// \return whether it could be written
+template <class T>
+bool write_page(TIFF* file, const Volume<T>& volume, std::int64_t index,
+                const std::vector<T>& plane) {
+  TIFFSetField(file, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(volume.size[0]));
+  TIFFSetField(file, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(volume.size[1]));
+  TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
+  TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, static_cast<std::uint32_t>(volume.size[1]));
+  TIFFSetField(file, TIFFTAG_SOFTWARE, stroma_software);
+  TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
+  TIFFSetField(file, TIFFTAG_XRESOLUTION, 1.0 / volume.voxel_size[0]);
+  TIFFSetField(file, TIFFTAG_YRESOLUTION, 1.0 / volume.voxel_size[1]);
+  if (index == 0)
+    TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION,
+                 imagej_description(volume.size[2], volume.voxel_size[2]).c_str());
+  const auto bytes = static_cast<tmsize_t>(plane.size());
+  return TIFFWriteEncodedStrip(file, 0, const_cast<T*>(plane.data()), bytes) == bytes &&
+         TIFFWriteDirectory(file) == 1;
+}
+
+/// A file that gets its name when it is whole, and goes away if it does not come to that.
+class Draft {
+ public:
+  Draft(const std::string& path, bool big)
+      : path_(path), draft_(path + "." + std::to_string(getpid()) + ".part") {
+    file_.reset(TIFFOpen(draft_.c_str(), big ? "w8" : "w"));
+    if (!file_) fail();
+  }
+  ~Draft() {
+    file_.reset();
+    if (!draft_.empty()) std::remove(draft_.c_str());
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  TIFF* file() { return file_.get(); }
+  void fail() const {
+    throw base::RunError(path_ + ": cannot be written" + TiffMessages::reason());
+  }
+  /// libtiff tells of what it writes, and not of what the system could not keep.
+  void finish() {
+    if (TIFFFlush(file_.get()) != 1) fail();
+    errno = 0;
+    const bool kept = fsync(TIFFFileno(file_.get())) == 0 || errno == EINVAL;
+    file_.reset();
+    if (!kept || std::rename(draft_.c_str(), path_.c_str()) != 0)
+      throw base::RunError(path_ + ": cannot be written: " + std::strerror(errno));
+    draft_.clear();
+  }
+
+ private:
+  std::string path_, draft_;
+  std::unique_ptr<TIFF, Close> file_;
+};
+
+}  // namespace
+
+void write_tiff(const base::Communicator& communicator, const std::string& path,
+                const Volume<std::uint8_t>& volume) {
+  const TiffMessages messages;
+  std::optional<Draft> draft;
+  base::collectively(communicator, [&] {
+    if (communicator.is_root()) draft.emplace(path, static_cast<double>(volume.voxels()) > 4.0e9);
+  });
+  bool is_written = true;
+  for (std::int64_t k = 0; k < volume.size[2]; ++k) {
+    Box plane{{0, 0, k}, {volume.size[0], volume.size[1], communicator.is_root() ? 1 : 0}};
+    const std::vector<std::uint8_t> values = extract(communicator, volume, plane);
+    if (communicator.is_root() && is_written)
+      is_written = write_page(draft->file(), volume, k, values);
+  }
+  base::collectively(communicator, [&] {
+    if (!draft) return;
+    if (!is_written) draft->fail();
+    draft->finish();
+  });
+}
+
+bool is_written_by_stroma(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  const TiffMessages messages;
+  const std::unique_ptr<TIFF, Close> file(TIFFOpen(path.c_str(), "rm"));
+  const char* software = nullptr;
+  return file && TIFFGetField(file.get(), TIFFTAG_SOFTWARE, &software) == 1 &&
+         std::string(software) == stroma_software;
+}
+
+}  // namespace stroma::image

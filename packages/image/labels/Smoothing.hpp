@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// Gaussian smoothing of a distributed volume.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "stroma/base/Communicator.hpp"
+#include "stroma/image/volume/Volume.hpp"
+
+namespace stroma::image {
+
+/// Weights of a Gaussian of standard deviation sigma [voxels], sampled at -r, ..., r with r =
+/// floor(4 sigma + 1/2) and scaled to a sum of 1. A sigma of 0 gives the single weight 1.
+std::vector<double> gaussian_weights(double sigma);
+
+/// Whether a standard deviation [voxels] is so far beyond a line of n voxels, continued by its
+/// mirror images, that nothing but the mean is left: sigma > 2 n.
+bool smooths_to_mean(double sigma, std::int64_t n);
+
+/// Convolves with a Gaussian, axis by axis, with gaussian_weights() truncated at 4 standard
+/// deviations. Beyond its faces the volume is continued by its mirror image (the face lies between
+/// a voxel and its mirror: d c b a | a b c d). Along an axis where smooths_to_mean(), takes the
+/// mean, at the cost of one sum. The same bits on any number of ranks. Collective; each rank holds
+/// its slab and, while it works along z, the planes within 4 sigma of it. \param sigma  standard
+/// deviation along x, y, z [voxels], >= 0
+template <class T>
+void smooth(const base::Communicator& communicator, Volume<T>& volume,
+            const std::array<double, 3>& sigma);
+
+}  // namespace stroma::image

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// grid.e: the background grid with nodal displacement and residual, as an Exodus file.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stroma/base/Communicator.hpp"
+#include "stroma/output/files/ExodusFile.hpp"
+
+namespace stroma::output {
+
+/// The box of elements that one rank holds of a structured Cartesian grid. Elements and nodes are
+/// numbered x fastest, then y, then z: within the box for arrays, over the whole grid for the
+/// numbers in the file.
+struct GridPart {
+  std::array<std::int64_t, 3> elements{};       ///< of the whole grid, in x, y, z
+  std::array<std::int64_t, 3> first_element{};  ///< of this rank's box
+  std::array<std::int64_t, 3> element_count{};  ///< of this rank's box; any may be 0: nothing here
+  std::array<double, 3> origin{};               ///< of the whole grid's first node [um]
+  std::array<double, 3> spacing{};              ///< of the nodes [um]
+  /// (element of this rank's box) not 0: write it. Null: write all.
+  const std::uint8_t* active = nullptr;
+};
+
+/// Writes grid.e, or under N > 1 ranks the spread files grid.e.N.r: the active elements as one
+/// block `grid` of HEX8, the nodes they use, and at each step the nodal variables
+/// `displacement_x/y/z` [um] and `residual_x/y/z` [pN]. The number maps hold the numbers in the
+/// whole grid,
+///
+///     node = 1 + i + (nx+1) (j + (ny+1) k),   element = 1 + i + nx (j + ny k).
+///
+/// Boxes of different ranks share nodes but no elements; a spread file holds the communication maps
+/// of the shared nodes. Format and flushing as in ParticleFile.
+class GridFile {
+ public:
+  /// Creates the file(s). Collective.
+  /// \throws RunError on all ranks, naming the file and what could not be written
+  GridFile(const base::Communicator& communicator, const std::string& path, const GridPart& part,
+           const Provenance& provenance, Precision precision = Precision::Double);
+
+  /// Adds one step. Collective. Both arrays cover the nodes of this rank's box (element_count + 1
+  /// in each direction, x fastest), 3 values a node, complete on every rank that shares the node;
+  /// they are not read where the box is empty.
+  /// \param load  load factor, larger than that of the step before
+  /// \param displacement  (node of the box, xyz) [um]
+  /// \param residual  (node of the box, xyz) [pN]
+  /// \throws RunError on all ranks, naming the file and what could not be written
+  void write(double load, const double* displacement, const double* residual);
+
+  /// Steps written so far.
+  int steps() const { return steps_; }
+
+ private:
+  base::Communicator communicator_;
+  std::string path_;                ///< of this rank's own file
+  std::vector<std::uint8_t> used_;  ///< (node of the box) 1: an active element has this corner
+  std::int64_t used_count_ = 0;
+  int steps_ = 0;
+};
+
+}  // namespace stroma::output

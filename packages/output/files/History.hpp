@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// history.csv: one row of figures per accepted load step.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stroma/base/Communicator.hpp"
+#include "stroma/output/files/WriteFile.hpp"
+
+namespace stroma::output {
+
+/// The state of one material in the current configuration, over all ranks.
+struct MaterialSummary {
+  double volume = 0;          ///< current volume, sum of J V0 [um^3]
+  double von_mises_mean = 0;  ///< mean von Mises stress, weighted by current volume [Pa]
+  double von_mises_max = 0;   ///< largest von Mises stress [Pa]
+};
+
+/// One accepted load step. The same on every rank.
+struct HistoryRow {
+  std::int64_t step = 0;  ///< 0: unloaded
+  double load = 0;        ///< load factor, 0 to 1 [-]
+  std::int64_t newton_iterations = 0;
+  std::int64_t linear_iterations = 0;            ///< summed over the step's Newton iterations
+  double residual = 0;                           ///< ||residual|| / largest ||reaction|| so far [-]
+  double wall_seconds = 0;                       ///< since the run began [s]
+  double strain_energy = 0;                      ///< of the whole body [aJ]
+  std::vector<std::array<double, 3>> reactions;  ///< (boundary condition) force on the body [pN]
+  std::vector<MaterialSummary> materials;        ///< (material)
+};
+
+/// Names and order of the columns, as in docs: step, load, ..., then NAME.reaction_x/y/z of each
+/// boundary condition, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material.
+std::vector<std::string> history_columns(const std::vector<std::string>& boundary_conditions,
+                                         const std::vector<std::string>& materials);
+
+/// The row as numbers, in the order of history_columns.
+std::vector<double> history_values(const HistoryRow& row);
+
+/// Writes history.csv from rank 0: a header, then a row per step, on disk before append() returns,
+/// so that a killed run keeps every completed step. Floating-point numbers have 17 significant
+/// digits, which read back to the same bits. A name with a comma or a quote is quoted as in RFC
+/// 4180.
+class History {
+ public:
+  /// Creates (or empties) the file and writes the header. Collective.
+  /// \throws RunError on all ranks when the file cannot be written
+  History(const base::Communicator& communicator, std::string path,
+          const std::vector<std::string>& boundary_conditions,
+          const std::vector<std::string>& materials);
+
+  /// Adds one row. Collective.
+  /// \throws RunError on all ranks when the row did not reach the file (disk full), or does not
+  ///         have as many reactions and materials as the header
+  void append(const HistoryRow& row);
+
+ private:
+  void write_line(const std::string& line, WriteMode mode);
+
+  base::Communicator communicator_;
+  std::string path_;
+  std::size_t boundary_conditions_;
+  std::size_t materials_;
+};
+
+}  // namespace stroma::output

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/output/files/Manifest.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+
+namespace stroma::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const head =
+    "Stroma wrote the files below, and its next run into this folder removes them, but for those "
+    "that were changed since.";
+
+/// Some bytes of a file from a place on.
+std::string bytes_of(std::ifstream& file, std::uintmax_t place, std::size_t count) {
+  std::string bytes(count, '\0');
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(place));
+  file.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return bytes;
+}
+
+/// Whether a file that a killed run left begins as those of its kind do; an empty one does.
+bool begins_as_written(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string begin = bytes_of(file, 0, 64);
+  const auto is = [&](const std::string& text) { return begin.rfind(text, 0) == 0; };
+  const std::string ending = path.extension().string(), name = path.filename().string();
+  if (begin.empty() || name == "log.txt") return true;
+  if (ending == ".xml") return is("<!-- The deck as it was run");
+  if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
+  if (ending == ".png") return is("\x89PNG");
+  if (ending == ".gp") return is("# Draws ../");
+  return ending == ".dat" || ending == ".raw" || is("\x89HDF");
+}
+
+}  // namespace
+
+Manifest::Manifest(std::string folder) : folder_(std::move(folder)) {
+  std::ifstream file(folder_ + "/.stroma_files");
+  std::string line;
+  if (!std::getline(file, line) || line != head) return;
+  while (std::getline(file, line)) {
+    const std::size_t tab = line.find('\t');
+    if (tab == std::string::npos) continue;
+    const std::string name = line.substr(0, tab), rest = line.substr(tab + 1);
+    if (rest == "being written") being_written_.push_back(name);
+    if (rest != "being written") finished_[name] = rest;
+  }
+}
+
+void Manifest::begin(const std::vector<std::string>& names) {
+  being_written_ = names;
+  finished_.clear();
+  write();
+}
+
+void Manifest::finish(const std::vector<std::string>& files) {
+  for (const std::string& file : files) finished_[file] = fingerprint(file);
+  write();
+}
+
+void Manifest::end(const std::vector<std::string>& files) {
+  being_written_ = {"log.txt"};
+  std::vector<std::string> all = files;
+  all.erase(std::remove(all.begin(), all.end(), "log.txt"), all.end());
+  finish(all);
+}
+
+std::vector<std::string> Manifest::files() const {
+  std::set<std::string> found;
+  std::error_code ignored;
+  const auto add = [&](const std::string& file) {
+    if (fs::exists(fs::symlink_status(fs::path(folder_) / file, ignored))) found.insert(file);
+  };
+  for (const std::string& name : being_written_) add(name);
+  for (const auto& [file, mark] : finished_) add(file);
+  for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
+    const std::string file = entry.path().filename().string(), name = name_of(file);
+    if (name != file && std::count(being_written_.begin(), being_written_.end(), name) > 0)
+      add(file);
+  }
+  return {found.begin(), found.end()};
+}
+
+bool Manifest::is_own(const std::string& file) const {
+  const fs::path path = fs::path(folder_) / file;
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::symlink_status(path, ignored))) return false;
+  const auto found = finished_.find(file);
+  if (found != finished_.end()) return found->second == fingerprint(file);
+  return std::count(being_written_.begin(), being_written_.end(), name_of(file)) > 0 &&
+         begins_as_written(path);
+}
+
+std::string Manifest::name_of(const std::string& file) {
+  static const std::regex spread("((particles|grid)\\.e)(-s[0-9]+)?(\\.[0-9]+\\.[0-9]+)?");
+  std::smatch parts;
+  return std::regex_match(file, parts, spread) ? parts[1].str() : file;
+}
+
+void Manifest::write() const {
+  std::string text = std::string(head) + "\n";
+  for (const std::string& name : being_written_) text += name + "\tbeing written\n";
+  for (const auto& [file, mark] : finished_) text += file + "\t" + mark + "\n";
+  const std::string path = folder_ + "/.stroma_files", draft = path + ".new";
+  errno = 0;
+  std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  if (stream.fail() || std::rename(draft.c_str(), path.c_str()) != 0)
+    throw base::RunError("cannot write '" + path + "': " + std::strerror(errno));
+}
+
+/// Size, and FNV-1a of the first and the last 64 KiB: any program that changes a results file of
+/// gigabytes changes its head, and that is read in no time.
+std::string Manifest::fingerprint(const std::string& file) const {
+  constexpr std::size_t piece = 1u << 16;
+  const std::string path = folder_ + "/" + file;
+  std::error_code failure;
+  const std::uintmax_t size = fs::file_size(path, failure);
+  if (failure) return "unknown";
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes = bytes_of(stream, 0, piece);
+  if (size > piece) bytes += bytes_of(stream, std::max<std::uintmax_t>(piece, size - piece), piece);
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  return base::format("%llu bytes, checksum %016llx", static_cast<unsigned long long>(size),
+                      static_cast<unsigned long long>(hash));
+}
+
+}  // namespace stroma::output

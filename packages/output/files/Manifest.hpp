@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// Which files of a folder are Stroma's own.
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace stroma::output {
+
+/// The list .stroma_files of an output folder. It names the files that a run writes before they
+/// exist; a file that is finished gets its size and a checksum, so that one which somebody changed
+/// or put there since is told apart, wherever the folder is copied to. For one rank.
+class Manifest {
+ public:
+  /// Reads the list of a folder; an empty one where there is none.
+  explicit Manifest(std::string folder);
+
+  /// Begins a new list: files of these names are being written. All files of a sequence and of a
+  /// set of ranks (grid.e-s002.16.03) go by one name (grid.e).
+  void begin(const std::vector<std::string>& names);
+  /// These files are finished, as they are now.
+  void finish(const std::vector<std::string>& files);
+  /// All files are finished, but for the log, to which a line may still come.
+  void end(const std::vector<std::string>& files);
+
+  /// The files of the folder that the list names, as they are or changed.
+  std::vector<std::string> files() const;
+  /// Whether a file of the folder is as Stroma left it: a plain file that is in the list with its
+  /// checksum, or whose name is being written and that begins as such a file does.
+  bool is_own(const std::string& file) const;
+
+  /// The name by which the files of a sequence and of a set of ranks go.
+  static std::string name_of(const std::string& file);
+
+ private:
+  void write() const;
+  std::string fingerprint(const std::string& file) const;
+
+  std::string folder_;
+  std::vector<std::string> being_written_;
+  std::map<std::string, std::string> finished_;  ///< file: size and checksum
+};
+
+}  // namespace stroma::output

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/output/files/ParticleFile.hpp"
+
+#include <exodusII.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/tensor/PrincipalValues.hpp"
+#include "stroma/tensor/Tensor3.hpp"
+
+namespace stroma::output {
+namespace {
+
+const std::vector<std::string> nodal_variables = {"displacement_x", "displacement_y",
+                                                  "displacement_z"};
+
+const std::vector<std::string> element_variables = {
+    "displacement_x",     "displacement_y",     "displacement_z",    "von_mises",
+    "stress_xx",          "stress_yy",          "stress_zz",         "stress_xy",
+    "stress_yz",          "stress_zx",          "jacobian",          "strain_energy_density",
+    "principal_stress_1", "principal_stress_2", "principal_stress_3"};
+
+/// Values of the element variables of particle p, in their order; entry v goes to out[v * stride].
+void evaluate(const ParticleState& state, std::int64_t p, double* out, std::int64_t stride) {
+  const double* s = state.stress + 6 * p;
+  const tensor::Tensor3 stress{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
+  const auto put = [&out, stride](double value) {
+    *out = value;
+    out += stride;
+  };
+  for (int i = 0; i < 3; ++i) put(state.displacement[3 * p + i]);
+  put(tensor::von_mises(stress));
+  for (int i = 0; i < 6; ++i) put(s[i]);
+  put(state.jacobian[p]);
+  put(state.strain_energy_density[p]);
+  const tensor::PrincipalValues principal = tensor::principal_values(stress);
+  for (int i = 0; i < 3; ++i) put(principal(i));
+}
+
+/// Calls use(members) for the particles of one material among those from `first` to `end`, in
+/// pieces and in order.
+template <class Use>
+void for_members(const ParticleSet& particles, std::size_t material, std::int64_t first,
+                 std::int64_t end, const Use& use) {
+  std::vector<std::int64_t> members;
+  for (std::int64_t p = first; p < end; ++p) {
+    if (particles.material[p] != material) continue;
+    members.push_back(p);
+    if (static_cast<std::int64_t>(members.size()) == ExodusFile::piece) {
+      use(members);
+      members.clear();
+    }
+  }
+  if (!members.empty()) use(members);
+}
+
+/// Calls use(start, members) for all particles of one material, in pieces and in order; start
+/// counts the block's elements from 1.
+template <class Use>
+void in_pieces_of_block(const ParticleSet& particles, std::size_t material, const Use& use) {
+  std::int64_t start = 1;
+  for_members(particles, material, 0, particles.count, [&](std::vector<std::int64_t>& members) {
+    const auto size = static_cast<std::int64_t>(members.size());
+    use(start, members);
+    start += size;
+  });
+}
+
+void put_nodes(const ExodusFile& file, const ParticleSet& particles) {
+  const char* axes[3] = {"x", "y", "z"};
+  file.check(ex_put_coord_names(file.id(), const_cast<char**>(axes)), "the names of the axes");
+  for (int axis = 0; axis < 3; ++axis) {
+    ExodusFile::in_pieces<double>(
+        particles.count, [&](std::int64_t p) { return particles.position[3 * p + axis]; },
+        [&](std::int64_t start, std::int64_t size, const double* values) {
+          file.check(
+              ex_put_partial_coord(file.id(), start, size, axis == 0 ? values : nullptr,
+                                   axis == 1 ? values : nullptr, axis == 2 ? values : nullptr),
+              "the coordinates");
+        });
+  }
+  ExodusFile::in_pieces<std::int64_t>(
+      particles.count, [&](std::int64_t p) { return particles.id[p] + 1; },
+      [&](std::int64_t start, std::int64_t size, const std::int64_t* ids) {
+        file.check(ex_put_partial_id_map(file.id(), EX_NODE_MAP, start, size, ids),
+                   "the node numbers");
+      });
+}
+
+void put_elements(const ExodusFile& file, const ParticleSet& particles, std::size_t material) {
+  const int id = file.id();
+  const auto block = static_cast<ex_entity_id>(material + 1);
+  std::vector<double> attribute;
+  in_pieces_of_block(particles, material, [&](std::int64_t start, const auto& members) {
+    std::vector<std::int64_t> nodes = members;
+    for (std::int64_t& node : nodes) ++node;
+    const auto size = static_cast<std::int64_t>(members.size());
+    file.check(ex_put_partial_elem_conn(id, block, start, size, nodes.data()), "the connectivity");
+
+    constexpr double pi = 3.14159265358979323846;
+    attribute.clear();
+    for (const std::int64_t p : members)
+      attribute.push_back(std::cbrt(0.75 / pi * particles.volume[p]));
+    file.check(ex_put_partial_one_attr(id, EX_ELEM_BLOCK, block, start, size, 1, attribute.data()),
+               "the radii");
+    attribute.clear();
+    for (const std::int64_t p : members) attribute.push_back(particles.volume[p]);
+    file.check(ex_put_partial_one_attr(id, EX_ELEM_BLOCK, block, start, size, 2, attribute.data()),
+               "the volumes");
+  });
+}
+
+std::size_t longest(const std::vector<std::string>& names) {
+  std::size_t length = 0;
+  for (const std::string& name : names) length = std::max(length, name.size());
+  return length;
+}
+
+}  // namespace
+
+ParticleFile::ParticleFile(const base::Communicator& communicator, const std::string& path,
+                           const ParticleSet& particles, std::vector<std::string> materials,
+                           std::vector<std::string> global_variables, const Provenance& provenance,
+                           Precision precision)
+    : communicator_(communicator),
+      path_(spread_file_name(path, communicator.size(), communicator.rank())),
+      materials_(materials.size()),
+      globals_(global_variables.size()),
+      count_(particles.count) {
+  ParallelPart part;
+  part.ranks = communicator_.size();
+  part.rank = communicator_.rank();
+  part.nodes = part.elements = particles.count;
+  part.global_nodes = part.global_elements = communicator_.sum(particles.count);
+
+  std::vector<std::int64_t> counts(materials_ + 1, 0);  // the last: of no material
+  for (std::int64_t p = 0; p < particles.count; ++p) {
+    ++counts[std::min<std::size_t>(particles.material[p], materials_)];
+  }
+  part.global_block_counts.assign(counts.begin(), counts.end() - 1);
+  communicator_.sum_all(part.global_block_counts.data(), materials_);
+  for (std::size_t m = 0; m < materials_; ++m) {
+    part.global_block_ids.push_back(static_cast<std::int64_t>(m + 1));
+  }
+
+  base::collectively(communicator_, [&] {
+    if (counts.back() > 0) throw base::RunError("a particle for '" + path_ + "' has no material");
+    ExodusFile file = ExodusFile::create(path_, precision,
+                                         std::max(longest(materials), longest(global_variables)));
+    const int id = file.id();
+    const std::string title = provenance.title.substr(0, MAX_LINE_LENGTH);
+    file.check(ex_put_init(id, title.c_str(), 3, particles.count, particles.count,
+                           static_cast<std::int64_t>(materials_), 0, 0),
+               "the counts");
+    put_parallel_part(file, part);
+    file.put_provenance(provenance);
+    put_nodes(file, particles);
+
+    const char* attributes[2] = {"radius", "volume"};
+    std::int64_t before = 0;  // elements of the blocks before this one
+    for (std::size_t m = 0; m < materials_; ++m) {
+      const auto block = static_cast<ex_entity_id>(m + 1);
+      file.check(ex_put_block(id, EX_ELEM_BLOCK, block, "SPHERE", counts[m], 1, 0, 0, 2),
+                 "a block");
+      file.check(ex_put_name(id, EX_ELEM_BLOCK, block, materials[m].c_str()), "a material's name");
+      in_pieces_of_block(particles, m, [&](std::int64_t start, std::vector<std::int64_t>& members) {
+        for (std::int64_t& p : members) p = particles.id[p] + 1;
+        file.check(ex_put_partial_id_map(id, EX_ELEM_MAP, before + start,
+                                         static_cast<std::int64_t>(members.size()), members.data()),
+                   "the element numbers");
+      });
+      if (counts[m] > 0) {
+        file.check(ex_put_attr_names(id, EX_ELEM_BLOCK, block, const_cast<char**>(attributes)),
+                   "the names of the attributes");
+        put_elements(file, particles, m);
+      }
+      before += counts[m];
+    }
+    file.put_variable_names(EX_GLOBAL, global_variables);
+    if (count_ > 0) file.put_variable_names(EX_NODAL, nodal_variables);
+    file.put_variable_names(EX_ELEM_BLOCK, element_variables);
+    file.close();
+  });
+}
+
+StatePieces in_one_piece(std::int64_t count, const ParticleState& state) {
+  return [count, state](const auto& use) { use(0, count, state); };
+}
+
+void ParticleFile::write(double load, const ParticleSet& particles, const StatePieces& states,
+                         const std::vector<double>& globals) {
+  base::collectively(communicator_, [&] {
+    if (particles.count != count_ || globals.size() != globals_) {
+      throw base::RunError(base::format(
+          "'%s' was made for %lld particles and %zu global variables, a step brings %lld and %zu",
+          path_.c_str(), static_cast<long long>(count_), globals_,
+          static_cast<long long>(particles.count), globals.size()));
+    }
+    const int step = steps_ + 1;
+    ExodusFile file = ExodusFile::open(path_);
+    file.check(ex_put_time(file.id(), step, &load), "the load factor");
+    if (globals_ > 0) {
+      file.check(ex_put_var(file.id(), step, EX_GLOBAL, 1, 0, static_cast<std::int64_t>(globals_),
+                            globals.data()),
+                 "the global variables");
+    }
+    std::vector<std::int64_t> start(materials_, 1);  // next element of each block
+    std::vector<double> buffer;
+    const auto variables = static_cast<int>(element_variables.size());
+    states([&](std::int64_t first, std::int64_t count, const ParticleState& state) {
+      for (int axis = 0; axis < 3; ++axis)
+        ExodusFile::in_pieces<double>(
+            count, [&](std::int64_t p) { return state.displacement[3 * p + axis]; },
+            [&](std::int64_t begin, std::int64_t size, const double* values) {
+              file.put_piece(step, EX_NODAL, axis + 1, 1, first + begin, size, values);
+            });
+      for (std::size_t m = 0; m < materials_; ++m) {
+        for_members(particles, m, first, first + count, [&](const auto& members) {
+          const auto size = static_cast<std::int64_t>(members.size());
+          buffer.resize(static_cast<std::size_t>(size * variables));
+          double* column = buffer.data();
+          for (const std::int64_t p : members) evaluate(state, p - first, column++, size);
+          for (int v = 0; v < variables; ++v)
+            file.put_piece(step, EX_ELEM_BLOCK, v + 1, static_cast<std::int64_t>(m + 1), start[m],
+                           size, buffer.data() + v * size);
+          start[m] += size;
+        });
+      }
+    });
+    file.close();
+  });
+  ++steps_;
+}
+
+}  // namespace stroma::output

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/output/files/RunFolder.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/FolderLock.hpp"
+#include "stroma/output/files/Manifest.hpp"
+
+namespace stroma::output {
+namespace {
+
+namespace fs = std::filesystem;
+
+void add_picture(std::vector<std::string>& names, const std::string& picture) {
+  names.push_back(picture + ".png");
+  for (const char* ending : {".gp", ".dat", ".raw"})
+    names.push_back("pictures/" + picture + ending);
+}
+
+/// Whether a run on so many ranks writes a file of this name: NAME.N.r on N ranks, NAME on one.
+/// What is not spread over the ranks is written on any number.
+bool is_written_on(int ranks, const std::string& file) {
+  const std::string name = Manifest::name_of(file);
+  if (name != "particles.e" && name != "grid.e") return true;
+  const std::size_t dot = file.find('.', name.size());
+  return (dot == std::string::npos ? 1 : std::atoi(file.c_str() + dot + 1)) == ranks;
+}
+
+/// Files of these names that are there, of any set of ranks, relative to the folder.
+std::vector<std::string> files_of(const std::string& folder,
+                                  const std::vector<std::string>& names) {
+  std::set<std::string> files;
+  std::error_code ignored;
+  for (const std::string& name : names)  // by its name: file systems may take DECK.XML for it
+    if (fs::exists(fs::symlink_status(fs::path(folder) / name, ignored))) files.insert(name);
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string file = entry.path().filename().string();
+    if (std::count(names.begin(), names.end(), Manifest::name_of(file)) > 0) files.insert(file);
+  }
+  return {files.begin(), files.end()};
+}
+
+std::string list_of(const std::vector<std::string>& files) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, files.size()); ++i)
+    text += (i == 0 ? "'" : ", '") + files[i] + "'";
+  if (files.size() > most) text += " and " + std::to_string(files.size() - most) + " more";
+  return text;
+}
+
+/// For one rank; see refuse_foreign_files().
+void refuse(const std::string& folder, int ranks, const std::vector<std::string>& names,
+            const std::vector<std::string>& inputs) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) return;
+  const fs::path pictures = fs::path(folder) / "pictures";
+  std::vector<std::string> foreign;
+  if (fs::exists(fs::symlink_status(pictures, ignored)) && !fs::is_directory(pictures, ignored))
+    foreign.emplace_back("pictures");
+  const Manifest manifest(folder);
+  for (const std::string& file : files_of(folder, names)) {
+    const bool is_own = manifest.is_own(file);
+    for (const std::string& input : inputs) {
+      if (fs::equivalent(fs::path(folder) / file, input, ignored))
+        throw base::InputError("the output folder '" + folder + "' holds '" + input + "' as '" +
+                               file +
+                               "', a name that the run writes to; choose another folder (-o)");
+    }
+    if (!is_own && is_written_on(ranks, file)) foreign.push_back(file);
+  }
+  if (foreign.empty()) return;
+  throw base::InputError("the output folder '" + folder + "' holds " + list_of(foreign) +
+                         ", which the run would overwrite, and which no run of Stroma is known to "
+                         "have left as it is; move " +
+                         (foreign.size() == 1 ? "it" : "them") +
+                         " away, or choose another folder (-o)");
+}
+
+}  // namespace
+
+std::vector<std::string> run_files(bool pictures) {
+  std::vector<std::string> names{"deck.xml", "history.csv", "log.txt", "particles.e", "grid.e"};
+  if (pictures)
+    for (const char* picture : {"vessels", "von_mises", "force"}) add_picture(names, picture);
+  return names;
+}
+
+std::vector<std::string> study_files() {
+  std::vector<std::string> names{"study.csv", "convergence.csv", "log.txt"};
+  for (const char* picture : {"force_strain", "force_element_size", "von_mises"})
+    add_picture(names, picture);
+  return names;
+}
+
+void refuse_foreign_files(const base::Communicator& communicator, const std::string& folder,
+                          const std::vector<std::string>& names,
+                          const std::vector<std::string>& inputs) {
+  base::collectively(communicator, [&] {
+    if (communicator.is_root()) refuse(folder, communicator.size(), names, inputs);
+  });
+}
+
+/// The lock, and the folders that were made for it.
+struct RunFolder::Hold {
+  struct MadeFolders {
+    std::vector<fs::path> paths;  ///< innermost first
+
+    ~MadeFolders() {
+      std::error_code ignored;
+      for (const fs::path& path : paths) fs::remove(path, ignored);  // unless something is in it
+    }
+  };
+
+  explicit Hold(const std::string& folder) {
+    std::error_code reason, ignored;
+    for (fs::path path = fs::absolute(folder).lexically_normal();
+         !path.empty() && !fs::exists(fs::symlink_status(path, ignored)); path = path.parent_path())
+      made.paths.push_back(path);
+    fs::create_directories(folder, reason);
+    if (!fs::is_directory(folder, ignored))
+      throw base::InputError(
+          "cannot make the output folder '" + folder +
+          "': " + (fs::exists(folder, ignored) ? "a file of that name exists" : reason.message()));
+    lock.emplace(folder);
+  }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+
+  MadeFolders made;  ///< goes after the lock
+  std::optional<FolderLock> lock;
+};
+
+RunFolder::RunFolder(const base::Communicator& communicator, std::string folder,
+                     std::vector<std::string> names)
+    : communicator_(communicator), folder_(std::move(folder)), names_(std::move(names)) {
+  while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
+  base::collectively(communicator_, [&] {
+    if (communicator_.is_root()) hold_ = std::make_shared<Hold>(folder_);
+  });
+}
+
+std::string RunFolder::grid(int number) const {
+  return file(number == 1 ? "grid.e" : base::format("grid.e-s%03d", number));
+}
+
+void RunFolder::refuse_foreign_files(const std::vector<std::string>& inputs) const {
+  output::refuse_foreign_files(communicator_, folder_, names_, inputs);
+}
+
+void RunFolder::remove_old_results(base::Log& log) const {
+  base::collectively(communicator_, [&] {
+    if (!communicator_.is_root()) return;
+    if (!hold_->lock->note().empty()) log.note(hold_->lock->note());
+    Manifest manifest(folder_);
+    std::size_t removed = 0;
+    for (const std::string& file : manifest.files()) {
+      if (!manifest.is_own(file)) continue;
+      std::error_code failure;
+      fs::remove(fs::path(folder_) / file, failure);
+      if (failure)
+        throw base::InputError("cannot remove an earlier run's '" + file + "' from '" + folder_ +
+                               "': " + failure.message());
+      ++removed;
+    }
+    if (removed > 0)
+      log.line(base::format("removed     %zu file%s of an earlier run from %s", removed,
+                            removed == 1 ? "" : "s", folder_.c_str()));
+    manifest.begin(names_);
+  });
+}
+
+void RunFolder::finish(const std::string& file) const {
+  base::collectively(communicator_, [&] {
+    if (communicator_.is_root()) Manifest(folder_).finish({file});
+  });
+}
+
+void RunFolder::finish() const {
+  base::collectively(communicator_, [&] {
+    if (!communicator_.is_root()) return;
+    std::vector<std::string> written = files_of(folder_, names_);
+    const auto is_of_others = [&](const std::string& file) {
+      return !is_written_on(communicator_.size(), file);
+    };
+    written.erase(std::remove_if(written.begin(), written.end(), is_of_others), written.end());
+    Manifest(folder_).end(written);
+  });
+}
+
+}  // namespace stroma::output

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The output folder of a run and the names of the files in it.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "stroma/base/Communicator.hpp"
+#include "stroma/base/Log.hpp"
+
+namespace stroma::output {
+
+/// Names of the files that a run leaves in its folder; with pictures, their data and scripts too.
+std::vector<std::string> run_files(bool pictures);
+/// Of a study, beside the folders of its members.
+std::vector<std::string> study_files();
+
+/// Refuses a folder in which a file of the names given, spread over so many ranks, is in the way: a
+/// run would write it, and it is the user's own. A folder that does not exist is not refused.
+/// \param inputs  what must not be overwritten, by whatever path it is found there: deck and image
+/// \throws InputError on all ranks, naming every such file. Collective
+void refuse_foreign_files(const base::Communicator& communicator, const std::string& folder,
+                          const std::vector<std::string>& names,
+                          const std::vector<std::string>& inputs);
+
+/// A folder that exists, can be written and is locked against other runs, and the paths of what a
+/// run leaves there. Copies share the lock.
+class RunFolder {
+ public:
+  /// Makes the folder, with its parents, unless it is there already, and locks it. What was made is
+  /// removed with the last copy, if nothing was written. Collective.
+  /// \param names  of the files to be written
+  /// \throws InputError on all ranks when the folder cannot be made or written, is a file, or
+  /// another run writes into it
+  RunFolder(const base::Communicator& communicator, std::string folder,
+            std::vector<std::string> names);
+
+  /// See above.
+  void refuse_foreign_files(const std::vector<std::string>& inputs) const;
+
+  /// Removes what an earlier run left, of any number of ranks, so that no stale file passes for a
+  /// result of this run; only what a run is known to have left, as it left it. From now on, files
+  /// of this run's names count as left by it. Collective. Not to be called by a run that continues
+  /// another one.
+  /// \throws InputError on all ranks when a file cannot be removed
+  void remove_old_results(base::Log& log) const;
+
+  /// A file is written and will not change. Collective.
+  void finish(const std::string& file) const;
+  /// So are all of them but the log. Collective.
+  void finish() const;
+
+  const std::string& folder() const { return folder_; }
+  std::string history() const { return file("history.csv"); }
+  std::string particles() const { return file("particles.e"); }
+  /// Grid files are numbered from 1: grid.e, then, for other elements, grid.e-s002, grid.e-s003:
+  /// the names by which ParaView takes files with different meshes for one sequence.
+  std::string grid(int number = 1) const;
+  std::string checkpoint() const { return file("checkpoint.h5"); }
+  std::string deck() const { return file("deck.xml"); }
+  std::string log() const { return file("log.txt"); }
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+
+ private:
+  struct Hold;
+
+  base::Communicator communicator_;
+  std::string folder_;
+  std::vector<std::string> names_;
+  std::shared_ptr<Hold> hold_;  ///< of rank 0
+};
+
+}  // namespace stroma::output

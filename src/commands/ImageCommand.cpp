@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "commands/ImageCommand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/labels/Histogram.hpp"
+#include "stroma/image/labels/Objects.hpp"
+#include "stroma/image/labels/Segmentation.hpp"
+
+namespace stroma {
+namespace {
+
+using base::format;
+
+long long printable(std::int64_t number) { return static_cast<long long>(number); }
+
+void print_summary(const image::ImageSummary& summary, base::Log& log) {
+  log.line("file         " + summary.path);
+  log.line("format       " + summary.format);
+  if (!summary.dataset.empty()) log.line("dataset      " + summary.dataset);
+  log.line(format("size         %lld x %lld x %lld voxels (x, y, z)", printable(summary.size[0]),
+                  printable(summary.size[1]), printable(summary.size[2])));
+  const image::VoxelSize& voxel = summary.voxel_size;
+  std::string sizes, extent;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool known = voxel.um[axis] > 0.0;
+    const std::string by = axis == 0 ? "" : " x ";
+    sizes += by + (known ? format("%.9g", voxel.um[axis]) : "?");
+    extent += by + (known ? format("%.6g", voxel.um[axis] * static_cast<double>(summary.size[axis]))
+                          : "?");
+  }
+  if (voxel.complete()) {
+    log.line("voxel size   " + sizes + " um, found in: " + voxel.source());
+    log.line("extent       " + extent + " um");
+  } else {
+    log.line("voxel size   " + sizes + " um, found in: " + voxel.source() +
+             "; a run needs Image|Voxel Size [um] in its deck");
+  }
+  log.line("type         " + summary.type.name());
+  log.line(format("channels     %lld; channel %lld is shown", printable(summary.channels),
+                  printable(summary.channel)));
+  if (summary.frames > 1)
+    log.line(format("frames       %lld; frame %lld is shown", printable(summary.frames),
+                    printable(summary.frame)));
+  for (const std::string& note : summary.notes) log.note(note);
+}
+
+/// At most 16 bars over the range; the longest stands for the fullest, on a scale of logarithms,
+/// since tissue is mostly dark.
+void print_histogram(const image::Histogram& histogram, base::Log& log) {
+  const std::size_t bars = std::min<std::size_t>(16, histogram.counts.size());
+  std::vector<std::int64_t> counts(bars, 0);
+  for (std::size_t b = 0; b < histogram.counts.size(); ++b)
+    counts[b * bars / histogram.counts.size()] += histogram.counts[b];
+  const double most =
+      std::log1p(static_cast<double>(*std::max_element(counts.begin(), counts.end())));
+  log.line("histogram    (bars on a logarithmic scale)");
+  for (std::size_t bar = 0; bar < bars; ++bar) {
+    const std::size_t bin = (bar * histogram.counts.size() + bars - 1) / bars;
+    const double from = histogram.levels
+                            ? histogram.center(bin)
+                            : histogram.first_edge + static_cast<double>(bin) * histogram.width;
+    const auto length = static_cast<std::size_t>(
+        std::lround(40.0 * std::log1p(static_cast<double>(counts[bar])) / most));
+    log.line(format("  from %-12.6g %12lld  ", from, printable(counts[bar])) +
+             std::string(length, '#'));
+  }
+}
+
+void print_objects(const base::Communicator& communicator, const image::LabelVolume& labels,
+                   image::Connectivity connectivity, base::Log& log) {
+  const image::Objects objects(communicator, labels, connectivity);
+  const std::int64_t count = objects.count(), large = objects.count(27),
+                     largest = objects.largest();
+  log.line(format(
+      "objects      %lld with %d neighbours (of at least 27 voxels: %lld; the largest: %lld "
+      "voxels)",
+      printable(count), static_cast<int>(connectivity), printable(large), printable(largest)));
+}
+
+/// What the values are: extremes, percentiles, histogram, Otsu's threshold and objects above it.
+void print_intensities(const base::Communicator& communicator, image::IntensityVolume volume,
+                       const image::ValueType& type, base::Log& log) {
+  const image::Statistics statistics = image::statistics(communicator, volume);
+  const image::Histogram histogram = image::histogram(communicator, volume, type);
+  log.line(format("intensity    min %.9g, max %.9g, mean %.6g, standard deviation %.6g",
+                  statistics.min, statistics.max, statistics.mean, statistics.deviation));
+  const image::Histogram fine =
+      histogram.levels ? histogram : image::equal_bins(communicator, volume, 65536);
+  std::string percentiles;
+  for (const double percent : {1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9}) {
+    percentiles += percentiles.empty() ? "percentiles  " : ", ";
+    percentiles += format("%g %%: %.6g", percent, image::percentile(fine, percent));
+  }
+  log.line(percentiles);
+  print_histogram(histogram, log);
+  if (!(statistics.max > statistics.min)) {
+    log.line("Otsu         none: all voxels have the same value");
+    return;
+  }
+  const double threshold = image::otsu_threshold(histogram);
+  const double fraction = image::fraction_above(communicator, volume, threshold);
+  log.line(format("Otsu         threshold %.9g (%s); above it: %.6f of the volume, %lld voxels",
+                  threshold, histogram.levels ? "one bin per level" : "equal bins", fraction,
+                  printable(std::llround(fraction * static_cast<double>(volume.voxels())))));
+  const image::LabelVolume labels = image::threshold_labels(volume, threshold);
+  volume = image::IntensityVolume();
+  print_objects(communicator, labels, image::Connectivity::faces, log);
+  print_objects(communicator, labels, image::Connectivity::corners, log);
+}
+
+}  // namespace
+
+int image_command(const base::Communicator& communicator, const ImageOptions& options,
+                  base::Log& log) {
+  if (options.voxel_size) {
+    for (const double um : *options.voxel_size)
+      if (!(um > 0.0) || !std::isfinite(um))
+        throw base::InputError("--voxel: admissible: three lengths in um, each above 0");
+  }
+  image::ImageParameters parameters;
+  parameters.file = options.file;
+  if (!options.dataset.empty()) parameters.dataset = options.dataset;
+  parameters.channel = options.channel;
+  parameters.frame = options.frame;
+  parameters.voxel_size = options.voxel_size;
+  image::ImageSummary summary;
+  image::IntensityVolume volume = image::read_volume(communicator, parameters, "", summary);
+  print_summary(summary, log);
+
+  try {
+    print_intensities(communicator, std::move(volume), summary.type, log);
+  } catch (const base::InputError& error) {  // thrown on all ranks alike
+    throw base::InputError(summary.path + ": " + error.what());
+  }
+  return 0;
+}
+
+}  // namespace stroma

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The bounds of a specimen's stiffness, as `stroma check` and `stroma run` print them.
+
+#include <string>
+#include <vector>
+
+#include "stroma/material/Material.hpp"
+
+namespace stroma {
+
+/// A table of Reuss, Hashin-Shtrikman and Voigt bounds (material/Bounds.hpp): shear, bulk and
+/// Young's modulus, or shear, plane bulk and plane stiffness in plane strain; in Pa, and as gain
+/// over one material: that of label 0, or the first with a share where label 0 has none.
+///
+/// \param shares  of each material, in any unit (volume, fraction of the voxels)
+/// \param plane_strain  of cylinders along z, else in three dimensions
+/// \param has_empty_space  a line says that the bounds are those of the solid without it
+/// \return  lines for the log; none where fewer than two materials have a share
+std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
+                                      const std::vector<double>& shares, bool plane_strain,
+                                      bool has_empty_space);
+
+}  // namespace stroma

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/Deck.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "stroma/deck/PlainText.hpp"
+#include "stroma/image/ImageSection.hpp"
+
+namespace stroma {
+
+namespace {
+
+std::string absolute(const deck::Document& document, const std::string& file) {
+  return std::filesystem::absolute(document.resolve(file)).lexically_normal().string();
+}
+
+}  // namespace
+
+deck::Section<DeckParameters> deck_section() {
+  deck::Section<DeckParameters> section(
+      "Stroma",
+      "A specimen from an image, its materials, supports and load, and how it is solved.");
+  section.optional("Title", &DeckParameters::title, deck::any(),
+                   "One line about the run; it stands in the results and on the pictures.");
+  section.required_section(image::image_section(), &DeckParameters::image);
+  section.required_section(material::materials_section(), &DeckParameters::materials);
+  section.section(particles::particles_section(), &DeckParameters::particles);
+  section.required_section(grid::grid_section(), &DeckParameters::grid);
+  section.required_section(mechanics::boundary_conditions_section(),
+                           &DeckParameters::boundary_conditions);
+  section.section(mechanics::external_forces_section(), &DeckParameters::external_forces);
+  section.section(solver::loading_section(), &DeckParameters::loading);
+  section.section(solver::solver_section(), &DeckParameters::solver);
+  section.section(output::output_section(), &DeckParameters::output);
+  section.check([](const DeckParameters& p, deck::Findings& findings) {
+    for (const auto& [name, force] : p.external_forces.forces) {
+      if (!force.acceleration) continue;
+      for (const auto& [material, values] : p.materials.materials)
+        if (!values.density)
+          findings.add("Materials|" + material + "|Density [kg/m^3]",
+                       "missing; External Forces|" + name + " is a force per mass");
+    }
+  });
+  return section;
+}
+
+Deck read_deck(const std::string& path, const std::vector<std::string>& overrides) {
+  deck::Document document = deck::load(path, overrides);
+  DeckParameters parameters = deck::read(document, deck_section());
+  if (parameters.image.file) {  // deck.xml says where it lies
+    const std::string file = absolute(document, *parameters.image.file);
+    const std::string problem = deck::unwritable(file);
+    if (!problem.empty())
+      throw base::InputError("Image|File: the path " + problem +
+                             "; move the image, or rename its folder");
+  }
+  std::ifstream file(path);
+  return {std::move(document), std::move(parameters),
+          std::string(std::istreambuf_iterator<char>(file), {})};
+}
+
+std::vector<std::string> input_files(const Deck& deck) {
+  std::vector<std::string> files{deck.document.path()};
+  if (deck.parameters.image.file)
+    files.push_back(deck.document.resolve(*deck.parameters.image.file));
+  return files;
+}
+
+Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
+  DeckParameters parameters = deck.parameters;
+  if (parameters.image.file)
+    parameters.image.file = absolute(deck.document, *parameters.image.file);
+  return deck::filled(deck_section(), parameters);
+}
+
+base::InputError located(const Deck& deck, const base::InputError& error) {
+  static const std::vector<std::string> sections{
+      "Image",           "Materials", "Particles", "Grid",  "Boundary Conditions",
+      "External Forces", "Loading",   "Solver",    "Output"};
+  deck::Findings findings(deck.document);
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ");
+    const std::string where = line.substr(0, colon);
+    const std::string section = where.substr(0, where.find('|'));
+    if (colon == std::string::npos ||
+        std::find(sections.begin(), sections.end(), section) == sections.end())
+      return error;
+    findings.add(where, line.substr(colon + 2));
+  }
+  try {
+    findings.throw_if_any();
+  } catch (const base::InputError& with_lines) {
+    return with_lines;
+  }
+  return error;
+}
+
+}  // namespace stroma

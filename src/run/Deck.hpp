@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The whole deck: one plain struct, filled once.
+
+#include <string>
+#include <vector>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/deck/Document.hpp"
+#include "stroma/deck/Section.hpp"
+#include "stroma/grid/GridSection.hpp"
+#include "stroma/image/ImageParameters.hpp"
+#include "stroma/material/Material.hpp"
+#include "stroma/mechanics/BoundaryConditions.hpp"
+#include "stroma/mechanics/ExternalForces.hpp"
+#include "stroma/output/OutputSection.hpp"
+#include "stroma/particles/Seeding.hpp"
+#include "stroma/solver/SolverSection.hpp"
+
+namespace stroma {
+
+struct DeckParameters {
+  std::string title;
+  image::ImageParameters image;
+  material::MaterialsParameters materials;
+  particles::ParticleParameters particles;
+  grid::GridParameters grid;
+  mechanics::BoundaryConditionsParameters boundary_conditions;
+  mechanics::ExternalForcesParameters external_forces;
+  solver::LoadingParameters loading;
+  solver::SolverParameters solver;
+  output::OutputParameters output;
+};
+
+/// Everything a deck may say; the reader, the deck reference and deck.xml follow from it.
+deck::Section<DeckParameters> deck_section();
+
+/// A deck that was read without a mistake.
+struct Deck {
+  deck::Document document;
+  DeckParameters parameters;
+  std::string text;  ///< as the user wrote it
+};
+
+/// Reads and checks a deck.
+/// \param overrides  "Section|Parameter=value", from --set
+/// \throws base::InputError with every mistake of the deck
+Deck read_deck(const std::string& path, const std::vector<std::string>& overrides);
+
+/// The files that a deck is read from: itself and its image.
+std::vector<std::string> input_files(const Deck& deck);
+
+/// The deck as run, every default filled in and the image's file name absolute, so that it can be
+/// run again from any folder.
+Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);
+
+/// Mistakes that show only once the image is read, as mistakes of the deck: a line that starts with
+/// the name of a section or parameter ("Grid|Element Size [um]: ...") gets its line number.
+base::InputError located(const Deck& deck, const base::InputError& error);
+
+}  // namespace stroma

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/MemoryEstimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/base/Memory.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/solver/Preconditioner.hpp"
+
+namespace stroma {
+namespace {
+
+using base::format;
+using base::readable_bytes;
+
+constexpr double largest_count = std::numeric_limits<int>::max();
+
+/// Particles along an axis of the body. So many elements that counting would take long have two
+/// each, at least.
+double particles_along(const particles::ParticleParameters& parameters, const grid::Grid& body,
+                       int d, std::int64_t voxels) {
+  if (body.elements[d] > 10'000'000) return 2.0 * static_cast<double>(body.elements[d]);
+  return static_cast<double>(particles::axis_layout(parameters, body, d, 0, 0, voxels, 1.0).total);
+}
+
+/// What there is most of, as a mistake of the section that can change it.
+std::string blame(const DeckParameters& parameters, const MemoryEstimate& estimate) {
+  if (estimate.image >= std::max(estimate.seeding, estimate.solving())) return "Image: ";
+  if (std::max(estimate.seeding, estimate.particles + estimate.results) > 0.5 * estimate.bytes())
+    return "Particles: ";
+  return parameters.grid.elements ? "Grid|Elements: " : "Grid|Element Size [um]: ";
+}
+
+}  // namespace
+
+double MemoryEstimate::bytes() const { return std::max({image, seeding, solving()}); }
+
+Counts even_counts(const DeckParameters& parameters, const std::array<std::int64_t, 3>& voxels,
+                   const grid::Grid& body, double filled, int ranks) {
+  const grid::Grid grid = grid::grid_for(parameters.grid.shape_functions, body);
+  Counts counts{1.0, filled, 1.0, 0.0};
+  for (int d = 0; d < 3; ++d) {
+    const std::int64_t along = voxels[static_cast<std::size_t>(d)];
+    counts.voxels *= static_cast<double>(along);
+    counts.particles *= particles_along(parameters.particles, body, d, along);
+    counts.nodes *= static_cast<double>(grid.elements[d] + grid.beyond(d));
+  }
+  for (double* count : {&counts.voxels, &counts.particles, &counts.nodes}) *count /= ranks;
+  counts.layers = static_cast<double>(grid.elements[2]);
+  return counts;
+}
+
+MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& counts) {
+  const double nodes = counts.nodes;
+  const bool resets = parameters.grid.reset;
+  MemoryEstimate estimate{};
+  estimate.image = (parameters.image.phantom ? 4.0 : 12.0) * counts.voxels;
+  const bool is_sorted = parameters.grid.shape_functions != grid::ShapeFunctions::linear;
+  estimate.seeding = 8.0 * counts.voxels + (is_sorted ? 106.0 : 41.0) * counts.particles;
+  estimate.particles = (resets ? 2.0 * 145.0 + 41.0 : 41.0) * counts.particles;
+  // Results are evaluated a layer of elements at a time; with reset they must go home all together.
+  estimate.results =
+      resets ? 2.0 * 88.0 * counts.particles : 88.0 * counts.particles / counts.layers;
+
+  const grid::Grid grid = grid::grid_for(parameters.grid.shape_functions, {});
+  const bool flat = parameters.grid.plane_strain;
+  const auto kind = parameters.solver.preconditioner;
+  const bool is_geometric = kind == solver::PreconditionerKind::geometric_multigrid;
+  const bool is_stencil = solver::takes_stencil(kind, grid);
+  const double stencil = 504.0 * nodes;
+  const double blocks = std::pow(2.0 * grid.width - 1.0, flat ? 2.0 : 3.0);  // of a row
+  estimate.tangent = is_stencil ? stencil + 48.0 * nodes : (9.0 * 12.0 + 2.0) * blocks * nodes;
+  estimate.vectors = 20.0 * 24.0 * nodes;
+  if (is_geometric) estimate.preconditioner = stencil / 7.0 + 8.0 / 7.0 * 72.0 * nodes;
+  if (is_geometric && !is_stencil)
+    estimate.preconditioner += stencil + 48.0 * nodes + 6.0 * 24.0 * nodes;
+  if (kind == solver::PreconditionerKind::multigrid)
+    estimate.preconditioner = 1.6 * estimate.tangent;
+  return estimate;
+}
+
+void require_memory(const base::Communicator& communicator, const DeckParameters& parameters,
+                    const std::array<std::int64_t, 3>& voxels, const grid::Grid& body,
+                    double filled) {
+  const Counts counts = even_counts(parameters, voxels, body, filled, communicator.size());
+  const MemoryEstimate estimate = estimate_memory(parameters, counts);
+  std::string reason = base::shortage(communicator, estimate.bytes());
+  if (reason.empty() && std::max(counts.particles, 3.0 * counts.nodes) > largest_count)
+    reason = "a rank holds up to 2^31 particles and unknowns";
+  if (reason.empty()) return;
+  const double ranks = communicator.size();
+  std::string counted = format("%.3g voxels (%s a rank), ", ranks * counts.voxels,
+                               readable_bytes(estimate.image).c_str());
+  if (filled > 0.0)
+    counted += format(
+        "%.3g particles (%s), ", ranks * counts.particles,
+        readable_bytes(std::max(estimate.seeding, estimate.particles + estimate.results)).c_str());
+  counted +=
+      format("%.3g unknowns (%s)", 3.0 * ranks * counts.nodes,
+             readable_bytes(estimate.tangent + estimate.vectors + estimate.preconditioner).c_str());
+  throw base::InputError(blame(parameters, estimate) + reason + ": " + counted +
+                         "; take coarser elements, fewer particles, a smaller Image|Region, or "
+                         "more memory or machines");
+}
+
+}  // namespace stroma

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/MovingSupports.hpp"
+
+#include <cstddef>
+
+namespace stroma {
+
+std::vector<output::MovingSupport> moving_supports(const DeckParameters& parameters,
+                                                   const std::array<double, 3>& length) {
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  std::vector<output::MovingSupport> moving;
+  for (std::size_t m = 0; m < conditions.size(); ++m) {
+    const mechanics::BoundaryCondition& condition = conditions[m].second;
+    if (condition.loaded_component(length) < 0) continue;
+    output::MovingSupport support;
+    support.name = conditions[m].first;
+    support.index = m;
+    for (int c = 0; c < 3; ++c)
+      if (condition.prescribes(c))
+        support.displacement[static_cast<std::size_t>(c)] =
+            condition.value(c, length, {0.0, 0.0, 0.0}, length);
+    support.strain = condition.strain.value_or(0.0);
+    moving.push_back(support);
+  }
+  return moving;
+}
+
+}  // namespace stroma

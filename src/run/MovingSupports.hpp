@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What results need to know of a deck's conditions and materials.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "run/Deck.hpp"
+#include "stroma/output/pictures/Pictures.hpp"
+
+namespace stroma {
+
+/// The boundary conditions that move, in the order of the deck: those whose reaction is plotted.
+/// \param length  edges of the body's box [um]
+std::vector<output::MovingSupport> moving_supports(const DeckParameters& parameters,
+                                                   const std::array<double, 3>& length);
+
+/// The names of a list of named things.
+template <class Named>
+std::vector<std::string> names(const Named& list) {
+  std::vector<std::string> result;
+  for (const auto& entry : list) result.push_back(entry.first);
+  return result;
+}
+
+}  // namespace stroma

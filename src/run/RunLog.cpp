@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/RunLog.hpp"
+
+#include <mpi.h>
+
+#include <utility>
+
+#include "stroma/base/Session.hpp"
+#include "stroma/mechanics/BarelyFilled.hpp"
+
+namespace stroma {
+
+using base::format;
+
+RunLog::RunLog(const base::Communicator& communicator, const Deck& deck, base::Log& log)
+    : communicator_(communicator), deck_(&deck), log_(&log), start_(MPI_Wtime()) {}
+
+double RunLog::seconds() const { return MPI_Wtime() - start_; }
+
+void RunLog::describe(const Specimen& specimen, const mechanics::MomentumBalance& balance) {
+  const image::ImageSummary& image = specimen.image;
+  const grid::Grid& grid = specimen.body;
+  log_->line(format("image      %lld x %lld x %lld voxels of %g x %g x %g um (%s)",
+                    static_cast<long long>(image.size[0]), static_cast<long long>(image.size[1]),
+                    static_cast<long long>(image.size[2]), image.voxel_size.um[0],
+                    image.voxel_size.um[1], image.voxel_size.um[2], image.format.c_str()));
+  for (const std::string& note : image.notes) log_->note(note);
+  log_->line(format("grid       %lld x %lld x %lld elements of %g x %g x %g um, %lld unknowns",
+                    static_cast<long long>(grid.elements[0]),
+                    static_cast<long long>(grid.elements[1]),
+                    static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1],
+                    grid.spacing[2], static_cast<long long>(balance.supports().unknowns())));
+  log_->line("dilatation " + specimen.dilatation);
+  log_->line(format("particles  %lld, on %s", static_cast<long long>(specimen.particle_count),
+                    base::ranks_and_threads(communicator_).c_str()));
+  const std::string crowded = base::oversubscription(communicator_);
+  if (!crowded.empty()) log_->note(crowded);
+  for (const std::string& note : specimen.notes) log_->note(note);
+  for (const std::string& note : balance.supports().notes()) log_->note(note);
+  for (const std::string& note : {mechanics::barely_filled_note(balance),
+                                  solver::contrast_note(circumstances(*deck_, balance))})
+    if (!note.empty()) log_->note(note);
+}
+
+void RunLog::newton(int iteration, double residual, long long linear_iterations) {
+  log_->line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s", iteration,
+                    residual, linear_iterations, seconds()));
+}
+
+void RunLog::compare_pieces(const mechanics::PiecesSummary& before, const mechanics::Supports& now,
+                            double load) {
+  const mechanics::PiecesSummary& after = now.pieces();
+  if (after.count == before.count && after.carried == before.carried) return;
+  log_->note(format("at load %.6g the body is in %lld pieces instead of %lld", load,
+                    static_cast<long long>(after.count), static_cast<long long>(before.count)));
+  for (const std::string& note : now.notes()) log_->note(note);
+}
+
+void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResult& solved) {
+  log_->line(
+      format("step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
+             "%.0f s left",
+             load.accepted(), load.load(), solved.iterations, solved.linear_iterations,
+             solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
+  if (solved.is_limited_by_rounding && !std::exchange(has_told_of_rounding_, true))
+    log_->note(format(
+        "rounding limits the residual to %.1e of the forces; more iterations would not lower it",
+        solved.residual));
+  constexpr double noticeable = 1e-6;
+  if (!solved.is_limited_by_rounding && solved.hold_share > noticeable &&
+      !std::exchange(has_told_of_holds_, true))
+    log_->note(
+        format("the forces on the deformed body are not in balance: the nodes that hold its "
+               "free rigid motions bear %.1e of them; a support would be better",
+               solved.hold_share));
+}
+
+void RunLog::rejected(double load, const std::string& reason) {
+  log_->line(format("step to load %.6g rejected: %s", load, reason.c_str()));
+}
+
+void RunLog::stabilization(const mechanics::MovingBody& body) {
+  if (deck_->parameters.grid.reset || mechanics::count_barely_filled(body.balance()) == 0) return;
+  log_->note(format("Grid|Stabilization adds %.1e to the stiffness of the body, to first order",
+                    mechanics::stabilization_share(body.balance(), body.displacement())));
+}
+
+std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
+                    const grid::Vector& trial, const solver::StepControl& load,
+                    const std::string& reason, const std::string& folder) {
+  const mechanics::WorstParticle worst = balance.worst_particle(trial);
+  std::string advice;
+  for (const std::string& one : solver::advice(circumstances(deck, balance)))
+    advice += "\n- " + one;
+  return format(
+             "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step "
+             "forbids "
+             "smaller ones: %s\n",
+             load.load(), load.next(), reason.c_str()) +
+         format("worst particle: id %lld, material \"%s\", at (%.6g, %.6g, %.6g) um, J = %.4g\n",
+                static_cast<long long>(worst.id),
+                deck.parameters.materials.materials[static_cast<std::size_t>(worst.material)]
+                    .first.c_str(),
+                worst.position[0], worst.position[1], worst.position[2], worst.jacobian) +
+         "the steps up to there are in " + folder + "; to go on, what may help:" + advice;
+}
+
+}  // namespace stroma

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What a run says while it goes on.
+
+#include <string>
+
+#include "run/Specimen.hpp"
+#include "stroma/base/Log.hpp"
+#include "stroma/mechanics/MovingBody.hpp"
+#include "stroma/solver/NewtonSolver.hpp"
+#include "stroma/solver/StepControl.hpp"
+
+namespace stroma {
+
+/// The lines and notes of one run's log, and its clock, which starts with it.
+class RunLog {
+ public:
+  RunLog(const base::Communicator& communicator, const Deck& deck, base::Log& log);
+
+  /// Wall time since the run began [s].
+  double seconds() const;
+
+  /// Specimen, grid and particles, and what should be known of them. Collective.
+  void describe(const Specimen& specimen, const mechanics::MomentumBalance& balance);
+  void newton(int iteration, double residual, long long linear_iterations);
+  /// Says so when the body came apart, or together, with the grid's reset.
+  void compare_pieces(const mechanics::PiecesSummary& before, const mechanics::Supports& now,
+                      double load);
+  /// An accepted step, and, once each, what a converged one leaves to be said.
+  void accepted(const solver::StepControl& load, const solver::NewtonResult& solved);
+  void rejected(double load, const std::string& reason);
+  /// What Grid|Stabilization adds to the body, where it does. Collective.
+  void stabilization(const mechanics::MovingBody& body);
+
+ private:
+  base::Communicator communicator_;
+  const Deck* deck_;
+  base::Log* log_;
+  double start_;
+  bool has_told_of_rounding_ = false, has_told_of_holds_ = false;
+};
+
+/// Why the step from one load to the next failed at the smallest size, where, and how to go on.
+/// Collective.
+/// \param trial  its last iterate
+std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
+                    const grid::Vector& trial, const solver::StepControl& load,
+                    const std::string& reason, const std::string& folder);
+
+}  // namespace stroma

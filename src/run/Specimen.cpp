@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/Specimen.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "run/MemoryEstimate.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/image/ReadVolume.hpp"
+#include "stroma/image/labels/Fragments.hpp"
+#include "stroma/particles/Migration.hpp"
+
+namespace stroma {
+
+namespace {
+
+/// The grid over an image, or over the region of it that is read.
+grid::Grid body_of(const DeckParameters& p, const std::array<std::int64_t, 3>& voxels,
+                   const std::array<double, 3>& voxel_size) {
+  std::array<double, 3> length;
+  for (std::size_t d = 0; d < 3; ++d) length[d] = static_cast<double>(voxels[d]) * voxel_size[d];
+  grid::Grid grid = grid::make_grid(p.grid, length);
+  if (p.image.region)  // positions are those in the whole image
+    for (std::size_t d = 0; d < 3; ++d)
+      grid.origin[d] = static_cast<double>((*p.image.region)[d]) * voxel_size[d];
+  return grid;
+}
+
+/// Of the voxels, over all ranks.
+double filled_fraction(const base::Communicator& communicator, const image::LabelVolume& labels) {
+  const auto filled = static_cast<std::int64_t>(
+      std::count_if(labels.values.begin(), labels.values.end(), [](auto l) { return l >= 0; }));
+  return static_cast<double>(communicator.sum(filled)) / static_cast<double>(labels.voxels());
+}
+
+/// How far the conditions and tractions on the body's faces reach into the image, in whole elements
+/// whose particles have shape functions there.
+image::FaceReach reach_of_conditions(const DeckParameters& p, const grid::Grid& body,
+                                     const image::LabelVolume& labels) {
+  std::vector<mechanics::Face> faces;
+  for (const auto& [name, condition] : p.boundary_conditions.conditions)
+    if (condition.face) faces.push_back(*condition.face);
+  for (const auto& [name, force] : p.external_forces.forces)
+    if (force.face) faces.push_back(*force.face);
+  const int elements = grid::grid_for(p.grid.shape_functions, body).width - 1;
+  image::FaceReach reach{};
+  for (const mechanics::Face face : faces)
+    for (int d = 0; d < 3; ++d) {
+      if (face != mechanics::Face::all && mechanics::axis_of(face) != d) continue;
+      const auto voxels = static_cast<std::int64_t>(
+          std::ceil(elements * body.spacing[d] / labels.voxel_size[static_cast<std::size_t>(d)]));
+      for (const bool is_upper : {false, true})
+        if (face == mechanics::Face::all || mechanics::is_upper(face) == is_upper)
+          reach[static_cast<std::size_t>(d)][is_upper ? 1 : 0] = voxels;
+    }
+  return reach;
+}
+
+/// Whether forces act on all of the body, wherever it is.
+bool has_volume_forces(const mechanics::NamedForces& forces) {
+  return std::any_of(forces.begin(), forces.end(),
+                     [](const auto& named) { return !named.second.traction; });
+}
+
+}  // namespace
+
+image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
+                               image::ImageSummary& summary) {
+  const base::Stage stage("image");
+  const DeckParameters& p = deck.parameters;
+  image::LabelVolume labels = image::read_labels(
+      communicator, p.image, deck.document.folder(), &summary,
+      [&](const image::ImageSummary& found) {  // how much of it is empty, nobody knows yet
+        const grid::Grid body = body_of(p, found.size, found.voxel_size.um);
+        require_memory(communicator, p, found.size, body, 0.0);
+      });
+  if (!has_volume_forces(p.external_forces.forces)) {  // a fragment that they load is an error
+    const grid::Grid body = body_of(p, labels.size, labels.voxel_size);
+    const std::string note =
+        image::leave_out_fragments(communicator, labels, reach_of_conditions(p, body, labels));
+    if (!note.empty()) summary.notes.push_back(note);
+  }
+  return labels;
+}
+
+Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
+                       const image::LabelVolume& labels, const image::ImageSummary& summary) {
+  const base::Stage stage("particles");
+  const DeckParameters& p = deck.parameters;
+  const grid::Grid grid = body_of(p, labels.size, labels.voxel_size);
+  require_memory(communicator, p, labels.size, grid, filled_fraction(communicator, labels));
+
+  const auto lattice = grid::Partition::balanced(
+      grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
+  auto particles = particles::seed(communicator, p.particles, lattice, labels,
+                                   material::material_of_label(p.materials.materials));
+  const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
+  if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
+  Specimen specimen{summary,
+                    grid,
+                    partition,
+                    particles,
+                    particles::layout_sizes(p.particles, grid, labels.size, labels.voxel_size),
+                    particles::layout_notes(p.particles, grid, labels.size),
+                    0,
+                    ""};
+  const double nu = material::largest_poisson_ratio(p.materials.materials);
+  specimen.dilatation = grid::describe_dilatation(p.grid, nu);
+  const std::string locking = grid::locking_note(p.grid, nu);
+  if (!locking.empty()) specimen.notes.push_back(locking);
+  specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
+  if (specimen.particle_count == 0)
+    throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
+  return specimen;
+}
+
+mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
+  const DeckParameters& p = deck.parameters;
+  mechanics::Problem problem;
+  problem.body = specimen.body;
+  problem.laws = material::laws(p.materials.materials);
+  problem.conditions = p.boundary_conditions.conditions;
+  problem.forces = p.external_forces.forces;
+  for (const auto& named : p.materials.materials)
+    if (named.second.density) problem.density.push_back(*named.second.density);
+  if (problem.density.size() != problem.laws.size()) problem.density.clear();
+  problem.outer_thickness = specimen.layout.outer_thickness;
+  problem.particle_half_edge = specimen.layout.half_edge;
+  problem.shape_functions = p.grid.shape_functions;
+  problem.particle_domain = p.grid.particle_domain;
+  problem.dilatation =
+      grid::dilatation(p.grid, material::largest_poisson_ratio(p.materials.materials));
+  problem.reset = p.grid.reset;
+  problem.deformation_gradient = p.grid.deformation_gradient;
+  problem.stabilization = grid::stabilization(p.grid);
+  return problem;
+}
+
+solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance) {
+  const DeckParameters& p = deck.parameters;
+  return solver::circumstances(p.solver, p.grid,
+                               material::largest_poisson_ratio(p.materials.materials), balance);
+}
+
+}  // namespace stroma

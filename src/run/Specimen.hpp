@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The specimen as the deck describes it, ready to be computed with.
+
+#include <vector>
+
+#include "run/Deck.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/Partition.hpp"
+#include "stroma/image/volume/ImageSummary.hpp"
+#include "stroma/image/volume/Volume.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
+#include "stroma/solver/Advice.hpp"
+
+namespace stroma {
+
+/// Image, grid and particles of one deck, this rank's part.
+struct Specimen {
+  image::ImageSummary image;
+  grid::Grid body;            ///< the lattice of elements that fills the body's box
+  grid::Partition partition;  ///< of the grid that the shape functions need over it
+  particles::Particles<grid::Device> particles;  ///< of the undeformed body
+  particles::LayoutSizes layout;
+  std::vector<std::string> notes;  ///< what a user should know of grid and particles
+  std::int64_t particle_count;     ///< over all ranks
+  std::string dilatation;          ///< which one, and why
+};
+
+/// What is solved on the specimen.
+mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen);
+
+/// What may make its solution hard. Collective.
+solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance);
+
+/// Reads and segments the deck's image, and leaves out what floats in empty space. The labels are
+/// kept only as long as they are needed: they and the particles are the larger part of what a rank
+/// holds before it solves. Collective. \throws base::InputError when image and deck do not go
+/// together
+image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
+                               image::ImageSummary& summary);
+
+/// Grid and particles for segmented labels. Collective.
+/// \throws base::InputError when the deck's grid does not fit the image
+Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
+                       const image::LabelVolume& labels, const image::ImageSummary& summary);
+
+}  // namespace stroma

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "study/StudyCommand.hpp"
+
+#include <mpi.h>
+
+#include <Teuchos_TimeMonitor.hpp>
+#include <algorithm>
+
+#include "run/Simulation.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Signals.hpp"
+#include "stroma/output/files/RunFolder.hpp"
+#include "stroma/output/files/WriteFile.hpp"
+#include "study/StudyDrawing.hpp"
+#include "study/StudyPlan.hpp"
+#include "study/StudySizes.hpp"
+#include "study/StudySummary.hpp"
+
+namespace stroma {
+namespace {
+
+using base::format;
+
+void write_table(const base::Communicator& communicator, const StudyPlan& plan,
+                 const std::vector<MemberResult>& results, const std::string& folder) {
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
+    const ComparisonTable comparison =
+        compare(plan.study, plan.members, force_records(plan, results));
+    output::write_file(folder + "/study.csv",
+                       study_table(plan.study.variations, plan.members, plan.facts, results,
+                                   comparison, plan.study.parameters.also_tabulate));
+  });
+}
+
+/// Reads a member's history on rank 0; done only if it came to full load. Collective.
+void read_back(const base::Communicator& communicator, const std::string& folder,
+               MemberResult& result) {
+  int is_whole = 0;
+  if (communicator.is_root()) {
+    try {
+      result.history = output::HistoryTable(folder + "/history.csv");
+      is_whole = result.history.reached_full_load() ? 1 : 0;
+    } catch (const base::RunError&) {
+      result.history = {};
+    }
+  }
+  communicator.broadcast(is_whole);
+  if (is_whole == 0) result.status = MemberStatus::failed;
+}
+
+/// Runs one member. Collective. \return why it failed; empty when it did not
+/// \throws base::Interrupted when a signal ends the study
+std::string run_member(const base::Communicator& communicator, const std::string& name,
+                       const Deck& deck, const std::string& folder) {
+  Teuchos::TimeMonitor::zeroOutTimers();  // the member's log tells the times of the member
+  base::Log log(communicator, true);
+  try {
+    run_simulation(communicator, deck, folder, log);
+    log.finish();
+    return "";
+  } catch (const base::Interrupted& interrupted) {
+    throw base::Interrupted("member \"" + name + "\": " + interrupted.what() +
+                            "\nto go on: run the study again; what is finished is not run again");
+  } catch (const base::RunError& error) {
+    log.line(std::string("stroma: ") + error.what());
+    return error.what();
+  } catch (const base::InputError& error) {
+    log.line(std::string("stroma: ") + error.what());
+    return located(deck, error).what();
+  }
+}
+
+std::string figures_of(const StudyPlan& plan, std::size_t m, const MemberResult& result) {
+  const output::MovingSupport* support = drawn_support(plan, m);
+  if (support == nullptr || result.status != MemberStatus::done || result.history.rows() == 0)
+    return "";
+  return format("   force of %s %.8g pN", support->name.c_str(),
+                force_along(*support, result.history).back());
+}
+
+}  // namespace
+
+void study_command(const base::Communicator& communicator, const std::string& study_deck,
+                   const std::string& output_folder, base::Log& log) {
+  const double start = MPI_Wtime();
+  const output::RunFolder folder(communicator, output_folder, output::study_files());
+  const StudyPlan plan = plan_study(communicator, study_deck, output_folder);
+  folder.refuse_foreign_files(input_files(plan));
+  folder.remove_old_results(log);
+  base::collectively(communicator, [&] { log.open_file(folder.log()); });
+  const std::size_t count = plan.members.size();
+  const auto kept =
+      static_cast<std::size_t>(std::count(plan.finished.begin(), plan.finished.end(), true));
+  log.line(format("study       %s: %zu members, %zu of them finished before", study_deck.c_str(),
+                  count, kept));
+
+  std::vector<MemberResult> results(count);
+  for (std::size_t m = 0; m < count; ++m) {
+    if (!plan.finished[m]) continue;
+    results[m].status = MemberStatus::done;
+    read_back(communicator, plan.folders[m], results[m]);
+  }
+  std::vector<std::string> failures;
+  std::size_t ran = 0;
+  for (std::size_t m = 0; m < count; ++m) {
+    const std::string head = format("[%zu/%zu] %s", m + 1, count, plan.members[m].name.c_str());
+    if (plan.finished[m]) {
+      log.line(head + ": finished before" + figures_of(plan, m, results[m]));
+      continue;
+    }
+    const double before = MPI_Wtime();
+    log.line(head + ": running, its log is " + plan.folders[m] + "/log.txt");
+    const std::string failure =
+        run_member(communicator, plan.members[m].name, plan.decks[m], plan.folders[m]);
+    log.require_written();
+    results[m].status = failure.empty() ? MemberStatus::done : MemberStatus::failed;
+    read_back(communicator, plan.folders[m], results[m]);
+    ++ran;
+    const double now = MPI_Wtime();
+    const double left =
+        (now - start) / static_cast<double>(ran) * static_cast<double>(count - kept - ran);
+    if (!failure.empty()) {
+      log.line(head + ": failed\n  " + failure.substr(0, failure.find('\n')));
+      failures.push_back("\"" + plan.members[m].name +
+                         "\": " + failure.substr(0, failure.find('\n')));
+    } else {
+      log.line(head + format(": done in %.1f s, about %.0f s left", now - before, left) +
+               figures_of(plan, m, results[m]));
+    }
+    write_table(communicator, plan, results, folder.folder());
+  }
+  write_table(communicator, plan, results, folder.folder());
+
+  std::vector<SizeGroup> groups;
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
+    groups = size_groups(plan, results);
+    if (!groups.empty())
+      output::write_file(folder.file("convergence.csv"), convergence_table(groups));
+  });
+  const auto records = force_records(plan, results);
+  const ComparisonTable comparison = compare(plan.study, plan.members, records);
+  log.line("");
+  for (const std::string& line : study_summary(plan, records, comparison)) log.line(line);
+  log.line("");
+  for (const std::string& line : size_summary(groups)) log.line(line);
+  draw_study(communicator, plan, results, groups, folder.folder(), log);
+  folder.finish();
+  log.line(format("%.1f s on %d rank%s; %s", MPI_Wtime() - start, communicator.size(),
+                  communicator.size() == 1 ? "" : "s", folder.file("study.csv").c_str()));
+  if (failures.empty()) return;
+  std::string text = format("%zu of %zu members failed; the others' results are in %s",
+                            failures.size(), count, folder.folder().c_str());
+  for (const std::string& failure : failures) text += "\nmember " + failure;
+  throw base::RunError(text +
+                       "\nto go on: see the members' log.txt; change the study or its base deck; "
+                       "what is finished is not run again");
+}
+
+}  // namespace stroma
