@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the docs as a site, build/docs/index.html; any warning is an error, and any claim whose test is not there.
+# Builds the docs as a site, build/docs/index.html, and the pages of the code beside it; any warning is an error, and any claim whose test is not there.
 #
 #   cmake/docs.sh [--build DIR]      what is built lies below DIR; else below build. The program must have been built there.
 set -euo pipefail
@@ -33,8 +33,16 @@ ln -s "$project"/docs/* "$stage/docs"
   printf '# Study reference\n\nEverything that the deck of a study may say, as `stroma reference Study` prints it.\n\n'
   "$stroma" reference Study | sed '/^- `/s/$/\\/'
 } >"$stage/docs/study_reference.md"
+cat >"$stage/docs/api.md" <<END
+# The code, page by page
+
+Made by Doxygen from the comments of the packages' headers:
+<a href="../api/namespaces.html">packages</a>, <a href="../api/annotated.html">classes</a>, <a href="../api/files.html">files</a>.
+END
 
 sphinx-build -q -W --keep-going -b html -c "$project/docs/site" -d "$stage/.doctrees" "$stage" "$site"
+ln -s "$project/packages" "$stage/stroma"
+(cd "$stage" && { cat docs/site/Doxyfile; echo "OUTPUT_DIRECTORY = $site"; } | doxygen -)
 cp "$site/README.html" "$site/index.html"
 rm -rf "$stage"
 echo "docs: $site/index.html"

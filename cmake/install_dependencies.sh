@@ -19,8 +19,8 @@ packages=(
   libcli11-dev gnuplot-nox fonts-dejavu-core
 )
 docs=(
-  # the docs as a site, with its equations
-  python3-sphinx python3-myst-parser furo libjs-katex fonts-katex
+  # the docs as a site, with its equations; the pages of the code
+  python3-sphinx python3-myst-parser furo libjs-katex fonts-katex doxygen
 )
 lint=(
   # formatting and spelling; clang-tidy, from Debian 12's security updates: those before 22 take four times as long
