@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds docs/verification.md against the tests: each claim (a heading "### V-...") has a line "- **Test:**"; each file
-named there exists below tests/ or in the project, and each Suite.Name stands in one of them. Exit status 1 if not."""
+named there exists below tests/ or in the project, each Suite.Name stands in one of them, and each test file names the
+claim. Exit status 1 if not."""
 
 import re
 import sys
@@ -24,6 +25,8 @@ for claim in re.split(r"^### (?=V-)", page, flags=re.MULTILINE)[1:]:
         if not files:
             mistakes.append(f"{title}: there is no {name}")
         code += "".join(path.read_text() for path in files)
+        if name.endswith("Test.cpp") and not any(re.search(rf"{title}(?![\w-])", path.read_text()) for path in files):
+            mistakes.append(f"{title}: {name} does not name it")
     if not code:
         mistakes.append(f"{title} names no file")
     for suite, name in (name.split(".") for name in names if "/" not in name):

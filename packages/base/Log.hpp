@@ -18,7 +18,8 @@ namespace stroma::base {
 /// tests. A line that cannot be written is remembered, for require_written() to answer.
 class Log {
  public:
-  /// \param quiet  nothing on standard output (the file is written all the same)
+  /// \param communicator  its rank 0 writes
+  /// \param quiet         nothing on standard output (the file is written all the same)
   explicit Log(const Communicator& communicator, bool quiet = false)
       : communicator_(communicator), quiet_(quiet) {}
 

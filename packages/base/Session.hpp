@@ -34,7 +34,8 @@ class MpiSession {
 /// so that several ranks do not each take all of them. Collective.
 class KokkosSession {
  public:
-  /// \param words  program name, then words for Kokkos (--kokkos-...)
+  /// \param communicator  the ranks that share the machines
+  /// \param words         program name, then words for Kokkos (--kokkos-...)
   /// \throws InputError when a number of threads is none
   KokkosSession(const Communicator& communicator, const std::vector<std::string>& words);
   ~KokkosSession();

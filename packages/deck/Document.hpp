@@ -51,6 +51,7 @@ class Document {
 };
 
 /// Reads a deck: YAML if its name ends in .yaml or .yml, XML if in .xml.
+/// \param path       of the deck's file
 /// \param overrides  'Section|Sub|Parameter=value', as given to --set
 /// \throws base::InputError  another ending; the file cannot be read or is not well-formed (the
 ///                           message has the line)

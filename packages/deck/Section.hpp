@@ -115,6 +115,9 @@ class Section {
   }
 
   /// A sublist that is passed on to a Trilinos package, with any nesting; null when it is absent.
+  /// \param name      of the sublist
+  /// \param member    where the list goes
+  /// \param meaning   for the reference
   /// \param validate  looks for mistakes; refuse_unknown() of FreeList.hpp does it by a list of
   /// what is valid
   Section& free_list(std::string name, Teuchos::RCP<Teuchos::ParameterList> T::*member,
@@ -254,6 +257,7 @@ Teuchos::RCP<Teuchos::ParameterList> filled(const Section<T>& root, const T& val
 
 /// The deck reference, in Markdown: every section, parameter, type, default, admissible values,
 /// meaning.
+/// \param root          the section of the whole deck
 /// \param section_path  'Image|Segmentation'; empty for the whole deck
 /// \throws base::InputError  no such section; the message names the nearest
 template <class T>

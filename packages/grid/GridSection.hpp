@@ -54,7 +54,8 @@ std::string locking_note(const GridParameters& parameters, double largest_poisso
 
 /// The grid that fills the body's box.
 ///
-/// \param length  edges of the box [um], > 0
+/// \param parameters  the deck's
+/// \param length      edges of the box [um], > 0
 /// \throws base::InputError when the element size does not divide the box (to 1e-6 of an element);
 ///         when plane strain meets more than one element through z; the message names the nearest
 ///         sizes that fit

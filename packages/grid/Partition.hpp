@@ -23,11 +23,14 @@ namespace stroma::grid {
 /// owns a contiguous range.
 class Partition {
  public:
+  /// \param grid  the grid to deal out
   /// \param cuts  per direction, the first element of each interval, and the number of elements
   Partition(const Grid& grid, std::array<std::vector<std::int64_t>, 3> cuts);
 
   /// Cuts so that the ranks get about equal weight and the boxes are compact.
   ///
+  /// \param grid     the grid to deal out
+  /// \param ranks    how many, > 0
   /// \param weights  per direction, the weight (particles, say) of each layer of elements
   /// \throws base::InputError when the grid cannot be dealt to so many ranks
   static Partition balanced(const Grid& grid, int ranks,

@@ -29,7 +29,11 @@ using BeforeReading = std::function<void(const ImageSummary&)>;
 ///
 /// The voxel size is the deck's, else the file's; an axis that neither states is left 0 (see
 /// ImageSummary), and require_voxel_size() turns that into an error.
-/// \param folder  of the deck, to which the file's name is relative
+/// \param communicator    of the ranks that share the volume
+/// \param parameters      the deck's section
+/// \param folder          of the deck, to which the file's name is relative
+/// \param summary         filled with what was found
+/// \param before_reading  called with what the headers say, before values are read
 /// \throws base::InputError on all ranks: no such file, not an image, broken, no such channel or
 ///   dataset, a type of value that is not admissible, a region outside the image
 IntensityVolume read_volume(const base::Communicator& communicator,
@@ -42,7 +46,11 @@ void require_voxel_size(const ImageSummary& summary);
 
 /// The whole way to labels: read or make a phantom, cut the region, smooth, segment, remove small
 /// objects. Collective.
-/// \param summary  if not null, filled with what was found
+/// \param communicator    of the ranks that share the volume
+/// \param parameters      the deck's section
+/// \param folder          of the deck, to which the file's name is relative
+/// \param summary         if not null, filled with what was found
+/// \param before_reading  called with what the headers say, before values are read
 /// \throws base::InputError as read_volume, and when the voxel size is unknown, a label is not an
 ///   integer or below -1, an intensity is not finite, or Otsu's method meets a single value
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,

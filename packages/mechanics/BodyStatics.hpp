@@ -49,6 +49,7 @@ class BodyStatics {
   /// Then all of it is brought together. Collective.
   void complete();
 
+  /// \param conditions    their names, for messages
   /// \param with_moments  whether loads must have no resultant about free axes either
   /// \throws base::InputError when the loads on a piece have a resultant along a rigid motion that
   ///         nothing holds; or when a condition moves pieces about that nothing connects with the

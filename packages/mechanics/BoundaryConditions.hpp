@@ -46,9 +46,10 @@ struct BoundaryCondition {
   /// Displacement component at full load [um] of a point of the face: the given displacement; or
   /// strain * length along the outward normal; or G (X - corner).
   ///
-  /// \param position  X [um]
-  /// \param corner    lowest corner of the body's box [um]
-  /// \param length    edges of the body's box [um]
+  /// \param component  0, 1, 2 for x, y, z
+  /// \param position   X [um]
+  /// \param corner     lowest corner of the body's box [um]
+  /// \param length     edges of the body's box [um]
   double value(int component, const std::array<double, 3>& position,
                const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
 

@@ -22,7 +22,7 @@ namespace stroma::mechanics {
 ///
 /// s the thickness of that layer, L the body's length along its normal, and M the
 /// largest K + 4/3 mu of the body's materials. Springs in series with the body lower a force by
-/// 1 / factor at most, whatever the grid. Source: docs/theory.md, eq. (T.31). Collective.
+/// 1 / factor at most, whatever the grid. Source: docs/theory.md, eq. (8.3). Collective.
 ///
 /// \throws base::InputError when a face has no particle next to it, or when two conditions want
 ///         different displacements at the edge where their faces meet

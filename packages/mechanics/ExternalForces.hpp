@@ -38,6 +38,7 @@ deck::Section<ExternalForcesParameters> external_forces_section();
 /// The forces as kernels want them, at full load. A traction acts at points of the face beside the
 /// outermost layer of particles: t per area is t / s per volume, s the layer's thickness.
 ///
+/// \param forces           the deck's, by name
 /// \param body             the grid at load 0, which fills the body's box
 /// \param outer_thickness  of the layers of particles next to the faces across each axis [um]
 std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, const grid::Grid& body,

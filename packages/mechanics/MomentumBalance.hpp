@@ -54,6 +54,10 @@ class MomentumBalance {
   using Device = grid::Device;
   using Law = material::NeoHookean;
 
+  /// \param communicator         of the ranks that share the body
+  /// \param partition            which elements and nodes are whose
+  /// \param particles            this rank's, in the order of their elements
+  /// \param problem              materials, conditions, loads and the choice of method
   /// \param base_load            load factor at the base configuration
   /// \param is_refused_if_loose  whether the loads must be held (SupportedBody)
   /// \throws base::InputError  see Supports

@@ -24,7 +24,10 @@ namespace stroma::mechanics {
 /// return to the lattice, which is laid under the particles wherever they are by then.
 class MovingBody {
  public:
-  /// \param particles  of the undeformed body; they are never written
+  /// \param communicator  of the ranks that share the body
+  /// \param partition     of the grid of the undeformed body
+  /// \param particles     of the undeformed body; they are never written
+  /// \param problem       materials, conditions, loads and the choice of method
   /// \throws base::InputError  see Supports
   MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
              const particles::Particles<grid::Device>& particles, const Problem& problem);

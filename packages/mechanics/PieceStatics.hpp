@@ -55,6 +55,8 @@ PieceVerdict judge(const PieceSums& piece, const RigidFrame& frame);
 /// The resultant of a piece's loads along the rigid motions that are free, in words, such as "along
 /// x: 512 pN"; "" where there is none, to 1e-6 of the loads' size.
 ///
+/// \param piece         sums over the piece
+/// \param frame         its rigid motions, with what is free
 /// \param with_moments  whether resultants about axes count as well
 std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool with_moments);
 

@@ -24,6 +24,7 @@ class Pieces {
   static constexpr int none = -1;
 
   /// Collective.
+  /// \param halo     this rank's nodes and their owners
   /// \param box      this rank's elements
   /// \param touched  the nodes that the particles of each element touch
   Pieces(const grid::Halo& halo, const transfer::ElementBox& box,

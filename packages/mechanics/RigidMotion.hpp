@@ -25,8 +25,9 @@ using NodeComponents = std::function<void(const std::function<void(const NodeCom
 /// matrix (eigenvalues below 1e-10 of its trace) is what is free. Collective; every rank gets the
 /// whole list, of at most six.
 ///
-/// \param prescribed  components already prescribed on this rank
-/// \param free        components of this rank's nodes that could be held
+/// \param communicator  of the ranks that share the body
+/// \param prescribed    components already prescribed on this rank
+/// \param free          components of this rank's nodes that could be held
 std::vector<NodeComponent> free_rigid_motions(const base::Communicator& communicator,
                                               const NodeComponents& prescribed,
                                               const NodeComponents& free);

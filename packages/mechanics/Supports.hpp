@@ -47,7 +47,11 @@ class Supports {
   using NodeCounts = SupportedBody::NodeCounts;
 
   /// Collective.
-  /// \param statics  knows of the body's elements and loads; gets to know what is held
+  /// \param halo       this rank's nodes and their owners
+  /// \param problem    with the conditions
+  /// \param base_load  load factor at the base configuration
+  /// \param body       its nodes that particles touch, and its pieces
+  /// \param statics    knows of the body's elements and loads; gets to know what is held
   /// \throws base::InputError when two conditions prescribe one component differently, when a
   ///         condition's face has no particle near it, when a condition cannot be followed by a
   ///         grid that is reset, or when loads move what nothing holds (BodyStatics)

@@ -18,6 +18,7 @@ namespace stroma::multigrid {
 
 /// Which directions to coarsen next, all or only those whose elements are short.
 ///
+/// \param grid     of the level
 /// \param spacing  of the level's elements [um]; doubled where coarsened
 std::array<bool, 3> directions_to_coarsen(const grid::LevelGrid& grid,
                                           std::array<double, 3>& spacing);
@@ -41,7 +42,9 @@ struct LevelPlan {
 
 /// The levels, from the finest, by arithmetic.
 ///
-/// \param spacing  of the finest level's elements [um]
+/// \param grid      the finest
+/// \param spacing   of the finest level's elements [um]
+/// \param settings  degrees of the smoother, and when to stop
 std::vector<LevelPlan> plan_levels(grid::LevelGrid grid, std::array<double, 3> spacing,
                                    const MultigridSettings& settings);
 
@@ -57,8 +60,11 @@ std::vector<LevelPlan> plan_levels(grid::LevelGrid grid, std::array<double, 3> s
 /// of all that again for the coarser levels.
 class GeometricMultigrid : public grid::Operator {
  public:
-  /// \param patched  elements of the rank that are solved on by themselves (ElementPatches): those
+  /// \param matrix    the tangent of the finest level
+  /// \param spacing   of its elements [um]
+  /// \param patched   elements of the rank that are solved on by themselves (ElementPatches): those
   ///                 that the body barely fills
+  /// \param settings  degrees and sizes
   GeometricMultigrid(const grid::RCP<const tangent::StencilMatrix>& matrix,
                      const std::array<double, 3>& spacing,
                      const ElementPatches::Chosen& patched = {},

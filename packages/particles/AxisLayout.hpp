@@ -64,6 +64,11 @@ struct AxisLayout {
 /// Domains are the shares and fill the axis; but those of Gauss points, which do not lie in the
 /// middle of their shares, reach to the element's face only.
 ///
+/// \param parameters  the deck's section
+/// \param grid        the grid of the undeformed body
+/// \param d           the axis
+/// \param begin       first element
+/// \param end         one past the last element
 /// \param voxels      voxels of the image along the axis
 /// \param voxel_size  [um]
 AxisLayout axis_layout(const ParticleParameters& parameters, const grid::Grid& grid, int d,

@@ -14,7 +14,8 @@
 namespace stroma::particles {
 
 /// The records that the other ranks (and this one) have for this rank, in rank order. Collective.
-/// \param for_rank  (rank) what to send to it
+/// \param communicator  of the ranks that exchange
+/// \param for_rank      (rank) what to send to it
 template <class Record>
 std::vector<Record> exchange(const base::Communicator& communicator,
                              const std::vector<std::vector<Record>>& for_rank) {

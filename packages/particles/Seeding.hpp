@@ -33,6 +33,10 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
 /// particle whose voxel is not empty (label -1). Ids number the full tensor product, x fastest, so
 /// that they do not depend on the ranks. Collective.
 ///
+/// \param communicator       of the ranks that share the grid
+/// \param parameters         the deck's section
+/// \param partition          which elements are whose
+/// \param labels             of the voxels; -1: empty space
 /// \param material_of_label  index of the material of each label
 /// \throws base::InputError when a label has no material
 Particles<grid::Device> seed(const base::Communicator& communicator,

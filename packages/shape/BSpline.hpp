@@ -32,7 +32,7 @@ namespace stroma::shape {
 /// along one axis does not widen it along another.
 ///
 /// Source: Piegl, Tiller, The NURBS Book (1997), section 2.2; Bardenhagen, Kober, CMES 5 (2004)
-/// 477; docs/theory.md, eq. (T.33), (T.34).
+/// 477; docs/theory.md, eq. (5.1), (5.2).
 template <int Degree>
 struct BSplineAxis {
   static constexpr int width = Degree + 2;

@@ -20,7 +20,7 @@ namespace stroma::shape {
 /// that reaches further than half an element along an axis is scaled down.
 ///
 /// Source: Sadeghirad, Brannon, Burghardt, Int. J. Numer. Methods Engrg. 86 (2011) 1435;
-/// docs/theory.md, eq. (T.35).
+/// docs/theory.md, eq. (5.3).
 template <int Dimensions>
 struct Cpdi {
   static constexpr int width = 3;

@@ -28,8 +28,9 @@ struct Linear {
 
   /// Values and gradients of all nodes of the support.
   ///
-  /// \param N          values (a) [-]
-  /// \param gradient   gradients (j, a) = dN_a/dx_j [1/um]; a runs fastest
+  /// \param place     of the particle in its element
+  /// \param N         values (a) [-]
+  /// \param gradient  gradients (j, a) = dN_a/dx_j [1/um]; a runs fastest
   KOKKOS_INLINE_FUNCTION static void evaluate(const Place& place, double N[nodes],
                                               double gradient[3][nodes]) {
     const auto& xi = place.xi;

@@ -27,7 +27,10 @@ struct Circumstances {
 };
 
 /// Collective.
+/// \param solver                 the deck's section
+/// \param grid                   the deck's section
 /// \param largest_poisson_ratio  of the materials [-]
+/// \param balance                the body as it stands
 Circumstances circumstances(const SolverParameters& solver, const grid::GridParameters& grid,
                             double largest_poisson_ratio,
                             const mechanics::MomentumBalance& balance);

@@ -21,7 +21,7 @@ using Smoother = Ifpack2::Preconditioner<double>;
 ///
 /// with P the interpolation of hats at the places of the functions (mechanics::Lattice), and S a
 /// Chebyshev polynomial in the Jacobi-scaled tangent. Symmetric. Source: docs/theory.md, eq.
-/// (T.36).
+/// (9.6).
 class HatsCycle : public Operator {
  public:
   HatsCycle(const grid::RCP<const tangent::Matrix>& matrix, const grid::RCP<Smoother>& smoother,

@@ -20,7 +20,10 @@ void begin_step(mechanics::MovingBody& body, NewtonSolver& newton);
 /// did, or, where there is none to go by, follows the tangent. Nothing of the body changes but the
 /// load that its balance carries: the caller accepts the displacement, or rejects it. Collective.
 ///
-/// \param trial  the result; after a failure the last iterate
+/// \param body    with a step begun
+/// \param newton  attached to the body's balance
+/// \param load    the load factor to reach
+/// \param trial   the result; after a failure the last iterate
 /// \throws base::StepRejected  see NewtonSolver::solve
 /// \throws base::RunError when a package of Trilinos gives up
 NewtonResult solve_step(mechanics::MovingBody& body, NewtonSolver& newton, double load,

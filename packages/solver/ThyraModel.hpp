@@ -18,6 +18,7 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   using Factory = Thyra::LinearOpWithSolveFactoryBase<double>;
 
   /// \param balance  outlives the model
+  /// \param factory  makes the linear solver that W stands for
   ThyraModel(mechanics::MomentumBalance& balance, const Teuchos::RCP<const Factory>& factory);
 
   /// MomentumBalance::force_scale() at the last residual's displacement [pN].

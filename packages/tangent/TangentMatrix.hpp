@@ -29,6 +29,7 @@ class TangentMatrix {
  public:
   using Device = grid::Device;
 
+  /// \param halo      this rank's nodes and their owners
   /// \param held      prescribed components (touched node), Supports::held()
   /// \param diagonal  what stands on the diagonal of prescribed components [pN/um]; of the size
   ///                  of the other diagonal entries, so that multigrid sees nothing odd

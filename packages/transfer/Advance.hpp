@@ -15,7 +15,7 @@ namespace stroma::transfer {
 ///
 /// the latter with the element's mean dilatation where that is asked for.
 /// Each particle is written by its own element alone: nothing is atomic. Source: docs/theory.md,
-/// eq. (T.15); the paper's equations 10, 11.
+/// eq. (2.7); the paper's equations 10, 11.
 template <class Shape, class Device>
 struct Advance {
   ElementParticles<Shape, Device> elements;

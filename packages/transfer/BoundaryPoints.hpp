@@ -73,7 +73,7 @@ KOKKOS_INLINE_FUNCTION void for_each_boundary_point(const ElementParticles<Shape
 ///
 ///     f_I = sum_b k gap_b (N_I + grad_x N_I . F r)       [pN]
 ///
-/// Launch with for_each_element(). Source: docs/theory.md, eq. (T.31).
+/// Launch with for_each_element(). Source: docs/theory.md, eq. (8.3).
 template <class Shape, class Device>
 struct SpringForce {
   ElementParticles<Shape, Device> elements;
@@ -119,7 +119,7 @@ struct BoundaryGaps {
 ///
 /// for each prescribed component c; or, lumped, the diagonal sum_b k |w_I| sum_J |w_J| with
 /// w = N + grad_x N . F r, whose energy is as large or larger in every direction. Source:
-/// docs/theory.md, eq. (T.32).
+/// docs/theory.md, eq. (8.4).
 template <class Shape, class Device, class Rows>
 struct SpringTangent {
   ElementParticles<Shape, Device> elements;

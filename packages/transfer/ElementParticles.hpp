@@ -73,7 +73,7 @@ struct PointSet {
 /// particles: a very soft material, at rest at the base configuration, that keeps nodes in place
 /// which the body barely touches (docs/theory.md, "Barely filled elements").
 ///
-/// Source: docs/theory.md, eq. (T.4) to (T.7).
+/// Source: docs/theory.md, eq. (2.2) to (2.5).
 template <class Shape, class Device>
 struct ElementParticles : PointSet<Device> {
   using typename PointSet<Device>::NodeView;

@@ -33,7 +33,7 @@ using ForceAtParticles = Kokkos::View<const double* [3], Kokkos::LayoutRight, De
 /// with N_I + grad N_I . F r for N_I when the force acts at X_p + r. The forces are dead (they do
 /// not change with the deformation), and N_I is that of the base configuration, as it is in the
 /// whole step. Launch with for_each_element(). Source:
-/// docs/theory.md, eq. (T.16).
+/// docs/theory.md, eq. (8.5).
 template <class Shape, class Device>
 struct ExternalForce {
   ElementParticles<Shape, Device> elements;

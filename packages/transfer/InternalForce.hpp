@@ -14,7 +14,7 @@ namespace stroma::transfer {
 ///     f_Ii = sum_p V0 tau_ij dN_I/dx_j       [pN] = [Pa um^2]
 ///
 /// Launch with for_each_element(): no atomics, the same bit for bit for any number of threads.
-/// Source: docs/theory.md, eq. (T.9).
+/// Source: docs/theory.md, eq. (4.3).
 template <class Shape, class Law, class Device>
 struct InternalForce {
   ElementParticles<Shape, Device> elements;

@@ -19,7 +19,7 @@ namespace stroma::transfer {
 /// and a particle's energy of volume is that at Jt_p = J_base,p jbar instead of J_p. Fictitious
 /// points keep their own.
 ///
-/// Source: docs/theory.md, eq. (T.27), (T.28).
+/// Source: docs/theory.md, eq. (6.1), (6.2).
 struct MeanDilatation {
   bool is_on = false;       ///< else each particle has its own
   double volume = 0.0;      ///< theta [um^3]
@@ -103,7 +103,7 @@ KOKKOS_INLINE_FUNCTION material::VolumetricStress share_of(const MeanPressure& m
 }
 
 /// Calls visit(ParticlePoint, tau) for each point of element (i, j, k), as for_each_point(): the
-/// internal force is sum_p V0 tau grad_x N (T.29).
+/// internal force is sum_p V0 tau grad_x N (6.3).
 template <class Shape, class Law, class Device, class Visit>
 KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device>& elements,
                                             const Kokkos::View<const Law*, Device>& law, int i,
@@ -121,7 +121,7 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
 }
 
 /// Calls visit(ParticlePoint, IsotropicTangent) for each point of element (i, j, k): the tangent is
-/// sum_p V0 grad_x N a grad_x N (T.30). With mean dilatation a last point stands for the element as
+/// sum_p V0 grad_x N a grad_x N (6.4). With mean dilatation a last point stands for the element as
 /// a whole: its "gradient" is dtheta/dU and its tangent dP/dtheta alone, so that it adds
 /// dP/dtheta dtheta/dU (x) dtheta/dU.
 template <class Shape, class Law, class Device, class Visit>

@@ -15,7 +15,7 @@ namespace stroma::transfer {
 ///     m_I = sum_p m_p N_I,    (m u)_I = sum_p m_p N_I u_p,     m_p = V0 (times rho, if given)
 ///
 /// whose quotient is the paper's equation 1. u_p is the whole displacement, from the undeformed
-/// body. Launch with for_each_element(). Source: docs/theory.md, eq. (T.17).
+/// body. Launch with for_each_element(). Source: docs/theory.md, eq. (2.8).
 template <class Shape, class Device>
 struct ProjectDisplacement {
   using NodeView = Kokkos::View<double* [3], Kokkos::LayoutRight, Device>;
@@ -49,7 +49,7 @@ struct ProjectDisplacement {
 ///
 ///     F = dx/dX = (dX/dx)^-1 = (I - sum_I u_I (x) grad_x N_I)^-1.
 ///
-/// `elements.displacement` holds u_I. Source: docs/theory.md, eq. (T.18).
+/// `elements.displacement` holds u_I. Source: docs/theory.md, eq. (2.9).
 template <class Shape, class Device>
 struct GradientFromDisplacement {
   ElementParticles<Shape, Device> elements;

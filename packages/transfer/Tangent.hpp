@@ -110,7 +110,7 @@ struct ElementBlocks {
 /// which takes 33 multiplications where the general contraction takes 54 and a table of 81 moduli.
 /// Particles are collected eight at a time; then the sums over them stay in registers while the
 /// inner loops run over eight nodes b and vectorise. Launch with for_each_element(): no atomics,
-/// the same bit for bit for any number of threads. Source: docs/theory.md, eq. (T.11).
+/// the same bit for bit for any number of threads. Source: docs/theory.md, eq. (4.4).
 ///
 /// \tparam Rows  where blocks go: BlockRows or StencilRows; also says in which precision they are
 ///              summed

@@ -23,9 +23,11 @@ struct Hdf5Axes {
 /// Finds the axes of a dataset with these extents: from the attribute `axistags` of vigra and
 /// ilastik (JSON), from DIMENSION_LABELS (dimension scales), else [y][x], [z][y][x], [c][z][y][x],
 /// [t][c][z][y][x] by the number of dimensions, with a note where that is likely wrong.
-/// \param path   of the file, and
-/// \param name   of the dataset, for errors
-/// \param notes  gains what the user should know
+/// \param dataset  open
+/// \param extents  of the dataset, the slowest axis first
+/// \param path     of the file, and
+/// \param name     of the dataset, for errors
+/// \param notes    gains what the user should know
 /// \throws base::InputError when tags contradict the dataset, or name axes of several entries that
 ///   are neither of x, y, z, c, t
 Hdf5Axes find_axes(hid_t dataset, const std::vector<hsize_t>& extents, const std::string& path,

@@ -28,9 +28,10 @@ struct ImageJDescription {
 
 bool is_imagej(const std::string& description);
 
-/// \param pages  of the file: the images, where the description does not count them
-/// \param problem  what is wrong with the counts, if nothing is returned: not numbers, below 1, or
-///   channels x slices x frames are not the images
+/// \param description  the text of the first page's ImageDescription
+/// \param pages        of the file: the images, where the description does not count them
+/// \param problem      what is wrong with the counts, if nothing is returned: not numbers, below
+///                     1, or channels x slices x frames are not the images
 std::optional<ImageJDescription> read_imagej(const std::string& description, std::int64_t pages,
                                              std::string& problem);
 

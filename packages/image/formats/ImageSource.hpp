@@ -61,7 +61,12 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
 
 /// Refuses a size that is zero, or that a file of this length cannot hold, before anything is
 /// allocated.
-/// \param expansion  the most that the file's compression can gain; 1: values lie there as they are
+/// \param path              of the file, for errors
+/// \param size              voxels along x, y, z, as the header says
+/// \param values_per_voxel  stored for each
+/// \param bytes_per_value   of the stored type
+/// \param file_length       [bytes]
+/// \param expansion         the most that the file's compression can gain; 1: there is none
 void check_size(const std::string& path, const std::array<std::int64_t, 3>& size,
                 std::int64_t values_per_voxel, int bytes_per_value, std::uint64_t file_length,
                 double expansion);
@@ -77,7 +82,12 @@ void check_channel(const std::string& path, std::int64_t channel, std::int64_t c
 void check_frame(const std::string& path, std::int64_t frame, std::int64_t frames);
 
 /// Converts `count` values, `stride` values apart, to doubles.
+/// \param bytes    where the first value begins
+/// \param type     of the stored values
 /// \param swapped  the bytes of each value are in reverse order
+/// \param count    of the values
+/// \param stride   from one value to the next [values]
+/// \param values   (out) `count` of them
 void decode(const unsigned char* bytes, const ValueType& type, bool swapped, std::int64_t count,
             std::int64_t stride, double* values);
 

@@ -39,16 +39,19 @@ struct OmePixels {
 std::optional<OmePixels> read_ome_xml(const std::string& xml, std::string& problem);
 
 /// The entries of the planes that lie in the file itself.
-/// \param name  of the file, without its folder
-/// \param note  says so when the file was renamed since it was described
+/// \param pixels  the planes that the XML states, with their files
+/// \param name    of the file, without its folder
+/// \param note    says so when the file was renamed since it was described
 std::vector<OmePlanes> planes_of_file(const OmePixels& pixels, const std::string& name,
                                       std::string& note);
 
 /// The page that holds each plane of a frame, [z * channels + c]; -1 where no page does.
-/// \param planes  of the file
+/// \param pixels    the sizes that the XML states
+/// \param planes    of the file
 /// \param channels  SizeC over the samples of a pixel
-/// \param samples  of a pixel
-/// \param pages  of the file
+/// \param samples   of a pixel
+/// \param pages     of the file
+/// \param frame     counted from 0
 std::vector<std::int64_t> pages_of_frame(const OmePixels& pixels,
                                          const std::vector<OmePlanes>& planes,
                                          std::int64_t channels, std::int64_t samples,

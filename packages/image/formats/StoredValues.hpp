@@ -18,8 +18,9 @@ class StoredValues {
  public:
   /// Looks at every file. Values that are packed or written as text are read here, whole, into
   /// memory that grows with what is found, so that a header's claim alone takes none.
-  /// \param load  false: only look (ranks that will never read what cannot be read in parts)
-  /// \param notes  what is odd
+  /// \param header  of the volume, with the names of its files
+  /// \param load    false: only look (ranks that will never read what cannot be read in parts)
+  /// \param notes   what is odd
   /// \throws base::InputError when a file is missing, no regular file, or holds fewer values than
   /// the header announces
   StoredValues(const VolumeHeader& header, bool load, std::vector<std::string>& notes);

@@ -26,6 +26,7 @@ struct TiffEntry {
 /// nothing.
 class TiffDirectory {
  public:
+  /// \param path    of the file
   /// \param offset  of the directory
   TiffDirectory(const std::string& path, std::uint64_t offset);
 

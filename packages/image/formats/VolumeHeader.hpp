@@ -61,6 +61,7 @@ inline constexpr int most_dimensions = 7;
 VolumeHeader metaimage_header(const std::string& path, const std::string& head);
 VolumeHeader nrrd_header(const std::string& path, const std::string& head);
 /// NIfTI-1 and NIfTI-2, in one file or as .hdr beside .img.
+/// \param path  of the file, for errors and for the .img beside it
 /// \param head  unpacked
 VolumeHeader nifti_header(const std::string& path, const std::string& head);
 
@@ -69,7 +70,8 @@ inline constexpr std::size_t nifti_head_bytes = 544;
 
 /// Sets the strides of axes that follow one another in a file, the fastest first, and the number of
 /// values.
-/// \param axes  {size, stride to set}
+/// \param header  gains the number of values
+/// \param axes    {size, stride to set}
 /// \throws base::InputError when the product of the sizes is no number
 void set_strides(VolumeHeader& header,
                  const std::vector<std::pair<std::int64_t, std::int64_t*>>& axes);
@@ -84,7 +86,8 @@ void note_no_unit(VolumeHeader& header, const std::vector<double>& spacing);
 
 /// Notes what the directions of the axes say beyond the order of the values in the file: turned or
 /// mirrored axes, and axes that are not at right angles.
-/// \param axes  a vector for each
+/// \param header  gains the notes
+/// \param axes    a vector for each
 void note_orientation(VolumeHeader& header, const std::vector<std::array<double, 3>>& axes);
 
 /// Notes a largest value that a signed type cannot hold.

@@ -25,8 +25,13 @@ LabelVolume threshold_labels(const IntensityVolume& volume, double threshold);
 LabelVolume value_labels(const base::Communicator& communicator, const IntensityVolume& volume);
 
 /// Smooths, segments, makes empty space and removes small objects, as the parameters say.
-/// Collective. \throws base::InputError when an intensity is not finite \param summary  its type
-/// decides the bins of Otsu's method; its notes gain Otsu's threshold and what was removed
+/// Collective.
+/// \param communicator  of the ranks that share the volume
+/// \param volume        the intensities; taken over
+/// \param parameters    the deck's section
+/// \param summary       its type decides the bins of Otsu's method; its notes gain Otsu's threshold
+///                      and what was removed
+/// \throws base::InputError when an intensity is not finite
 LabelVolume segment(const base::Communicator& communicator, IntensityVolume volume,
                     const SegmentationParameters& parameters, ImageSummary& summary);
 

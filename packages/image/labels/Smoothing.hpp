@@ -26,8 +26,10 @@ bool smooths_to_mean(double sigma, std::int64_t n);
 /// deviations. Beyond its faces the volume is continued by its mirror image (the face lies between
 /// a voxel and its mirror: d c b a | a b c d). Along an axis where smooths_to_mean(), takes the
 /// mean, at the cost of one sum. The same bits on any number of ranks. Collective; each rank holds
-/// its slab and, while it works along z, the planes within 4 sigma of it. \param sigma  standard
-/// deviation along x, y, z [voxels], >= 0
+/// its slab and, while it works along z, the planes within 4 sigma of it.
+/// \param communicator  of the ranks that share the volume
+/// \param volume        smoothed in place
+/// \param sigma         standard deviation along x, y, z [voxels], >= 0
 template <class T>
 void smooth(const base::Communicator& communicator, Volume<T>& volume,
             const std::array<double, 3>& sigma);

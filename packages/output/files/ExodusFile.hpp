@@ -29,6 +29,8 @@ struct Provenance {
 class ExodusFile {
  public:
   /// Creates (or replaces) a netCDF-4 file with 64-bit integers.
+  /// \param path          of the file
+  /// \param precision     of the numbers in it
   /// \param longest_name  length of the longest name of a block or variable in it
   static ExodusFile create(const std::string& path, Precision precision, std::size_t longest_name);
   /// Opens an existing file to add to it.
@@ -56,8 +58,12 @@ class ExodusFile {
   void put_variable_names(int kind, const std::vector<std::string>& names) const;
 
   /// Writes `count` values of one variable at one step through one buffer of bounded size.
-  /// \param kind   EX_NODAL or EX_ELEM_BLOCK; `block` is the element block's id (nodal: 1)
-  /// \param value  value(i) of entry i, from 0
+  /// \param step      counted from 1
+  /// \param kind      EX_NODAL or EX_ELEM_BLOCK
+  /// \param variable  its number, counted from 1
+  /// \param block     the element block's id; 1 for nodes
+  /// \param count     of the values
+  /// \param value     value(i) of entry i, from 0
   template <class Value>
   void put_variable(int step, int kind, int variable, std::int64_t block, std::int64_t count,
                     const Value& value) const {

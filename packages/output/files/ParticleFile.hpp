@@ -62,8 +62,13 @@ StatePieces in_one_piece(std::int64_t count, const ParticleState& state);
 class ParticleFile {
  public:
   /// Creates the file(s) with everything that does not change. Collective.
+  /// \param communicator      of the ranks that share the particles
+  /// \param path              of the file, without the ending of a spread one
+  /// \param particles         this rank's
   /// \param materials         names of all materials, also of those without particles
   /// \param global_variables  names of the global variables: history_columns()
+  /// \param provenance        title, version and deck, kept in the file
+  /// \param precision         of the numbers in it
   /// \throws RunError on all ranks, naming the file and what could not be written
   ParticleFile(const base::Communicator& communicator, const std::string& path,
                const ParticleSet& particles, std::vector<std::string> materials,

@@ -21,7 +21,10 @@ std::vector<std::string> study_files();
 
 /// Refuses a folder in which a file of the names given, spread over so many ranks, is in the way: a
 /// run would write it, and it is the user's own. A folder that does not exist is not refused.
-/// \param inputs  what must not be overwritten, by whatever path it is found there: deck and image
+/// \param communicator  of all ranks of the run
+/// \param folder        the output folder
+/// \param names         of the files to be written
+/// \param inputs        deck and image, which must not be overwritten by whatever path
 /// \throws InputError on all ranks, naming every such file. Collective
 void refuse_foreign_files(const base::Communicator& communicator, const std::string& folder,
                           const std::vector<std::string>& names,
@@ -33,7 +36,9 @@ class RunFolder {
  public:
   /// Makes the folder, with its parents, unless it is there already, and locks it. What was made is
   /// removed with the last copy, if nothing was written. Collective.
-  /// \param names  of the files to be written
+  /// \param communicator  of all ranks of the run
+  /// \param folder        its path
+  /// \param names         of the files to be written
   /// \throws InputError on all ranks when the folder cannot be made or written, is a file, or
   /// another run writes into it
   RunFolder(const base::Communicator& communicator, std::string folder,

@@ -11,7 +11,10 @@
 namespace stroma::output {
 
 /// Terminal, fonts and title of a script that writes ../NAME.png, seen from the scripts' folder.
-/// \param title  a line break separates the first, bold line from the rest
+/// \param name    of the picture, without its ending
+/// \param width   [pixels]
+/// \param height  [pixels]
+/// \param title   a line break separates the first, bold line from the rest
 std::string gnuplot_head(const std::string& name, int width, int height, const std::string& title);
 
 /// Viridis, a perceptually uniform colour map that the colour-blind can read (van der Walt & Smith,

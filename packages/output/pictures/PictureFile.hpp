@@ -15,9 +15,12 @@ namespace stroma::output {
 /// Writes FOLDER/pictures/NAME.ENDING and NAME.gp from rank 0 and lets gnuplot draw
 /// FOLDER/NAME.png. Collective.
 ///
-/// \param folder       exists
-/// \param data         numbers, as the script reads them; what counts is rank 0's
-/// \param data_ending  dat or raw
+/// \param communicator  rank 0 of it draws
+/// \param folder        exists
+/// \param name          of the picture, without its ending
+/// \param data          numbers, as the script reads them; what counts is rank 0's
+/// \param data_ending   dat or raw
+/// \param script        gnuplot's; rank 0's counts
 /// \return  a note for the log, the same on all ranks: empty when the picture was made, else why
 ///          gnuplot did not
 /// \throws RunError on all ranks when data, script or picture could not be written, as on a full

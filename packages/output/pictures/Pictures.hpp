@@ -31,10 +31,11 @@ struct MovingSupport {
 /// written, nothing to draw). A picture never makes a run fail.
 class Pictures {
  public:
-  /// \param folder   the run's output folder, which exists
-  /// \param title    the deck's title
-  /// \param spacing  distance of neighbouring particles at load 0, in x, y, z [um]
-  /// \param origin   of y, in maps
+  /// \param communicator  rank 0 of it draws
+  /// \param folder        the run's output folder, which exists
+  /// \param title         the deck's title
+  /// \param spacing       distance of neighbouring particles at load 0, in x, y, z [um]
+  /// \param origin        of y, in maps
   Pictures(const base::Communicator& communicator, std::string folder, std::string title,
            std::array<double, 3> spacing, Origin origin);
 

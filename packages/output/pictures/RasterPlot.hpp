@@ -38,7 +38,10 @@ ColourScale colour_scale(std::vector<float> values);
 /// the smallest y on; NaN: no particle.
 std::string raster_bytes(const Raster& raster);
 
-/// What gnuplot's `plot` draws a raster with. \param skip  bytes in the file before the raster
+/// What gnuplot's `plot` draws a raster with.
+/// \param raster  what is drawn
+/// \param name    of the file with its numbers, without the ending
+/// \param skip    bytes in the file before the raster
 std::string raster_clause(const Raster& raster, const std::string& name, std::size_t skip = 0);
 
 /// A raster read back, or why it is not there.

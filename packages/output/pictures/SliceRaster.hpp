@@ -33,8 +33,10 @@ struct SlicePoint {
 /// The middle layer of the specimen in z: the particles of this rank (indices into the set) whose
 /// reference position lies in the highest layer that is not above the middle of the specimen's
 /// height. Particles of a layer have one height, but for rounding. Collective.
-/// \param z_spacing  distance of two layers of particles, about [um]
-/// \param z  (out, if not null) the layer's reference height, the same on all ranks [um]
+/// \param communicator  of the ranks that share the particles
+/// \param particles     this rank's
+/// \param z_spacing     distance of two layers of particles, about [um]
+/// \param z             (out, if not null) the layer's reference height, the same on all ranks [um]
 std::vector<std::int64_t> middle_layer(const base::Communicator& communicator,
                                        const ParticleSet& particles, double z_spacing,
                                        double* z = nullptr);
@@ -51,8 +53,12 @@ enum class Merge {
 /// sides, both within 1.5 spacings, is a hole between particles and takes its nearest neighbours'
 /// value (the mean of equally near ones, or the majority); all others stay empty. Collective;
 /// memory is two numbers a pixel on every rank.
+/// \param communicator      of the ranks that share the points
+/// \param points            this rank's
 /// \param reference_extent  width and height of the layer's particles at load 0 [um], all ranks
-/// \param spacing  reference spacing of the particles in x and y [um]
+/// \param spacing           reference spacing of the particles in x and y [um]
+/// \param merge             how the points in a pixel become one value
+/// \param max_pixels        along a direction
 Raster rasterise(const base::Communicator& communicator, const std::vector<SlicePoint>& points,
                  std::array<double, 2> reference_extent, std::array<double, 2> spacing, Merge merge,
                  int max_pixels = 2048);

@@ -23,8 +23,12 @@ struct StressPanel {
 /// same length on paper, and with one colour bar. The colour scale is that of colour_scale() over
 /// all pixels together. Its numbers, one raster after the other, are pictures/von_mises.raw.
 /// Collective; the panels are rank 0's, and at least one.
-/// \param common  what the panels have in common, for the picture's second line; may be empty
-/// \param origin  of y, in all panels
+/// \param communicator  rank 0 of it draws
+/// \param folder        exists
+/// \param title         the first, bold line
+/// \param common        what the panels have in common, for the picture's second line; may be empty
+/// \param panels        from left to right, row by row
+/// \param origin        of y, in all panels
 /// \return  as draw_picture of PictureFile.hpp
 std::string draw_stress_panels(const base::Communicator& communicator, const std::string& folder,
                                const std::string& title, const std::string& common,

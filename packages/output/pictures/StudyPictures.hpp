@@ -40,8 +40,14 @@ struct SizeSeries {
 
 /// force_strain.png: all members in one picture, told apart by curve_styles(), with the legend
 /// below. Collective; what is drawn is rank 0's.
-/// \param by_strain  the curves' abscissa is strain, else displacement
-/// \param remark     follows the picture's second line; may be empty
+/// \param communicator  rank 0 of it draws
+/// \param folder        exists
+/// \param title         the first, bold line
+/// \param support       the condition whose force is drawn
+/// \param things        what the curves differ in
+/// \param curves        one for each member
+/// \param by_strain     the curves' abscissa is strain, else displacement
+/// \param remark        follows the picture's second line; may be empty
 /// \return  as draw_picture of PictureFile.hpp
 std::string draw_force_strain(const base::Communicator& communicator, const std::string& folder,
                               const std::string& title, const std::string& support,

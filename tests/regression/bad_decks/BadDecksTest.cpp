@@ -56,6 +56,7 @@ Expected expected_of(fs::path deck) {
 
 class BadDeck : public ::testing::TestWithParam<fs::path> {};
 
+// V-BAD.
 TEST_P(BadDeck, EndsWithAPlainMessage) {
   const fs::path deck = GetParam();
   const Expected expected = expected_of(deck);

@@ -172,6 +172,7 @@ void expect_energy_within_bounds(const GoodDeck& deck, const History& history) {
 
 class StretchedDeck : public ::testing::TestWithParam<GoodDeck> {};
 
+// V-DECKS.
 TEST_P(StretchedDeck, ObeysTheLawsOfMechanics) {
   const GoodDeck& deck = GetParam();
   const DeckFolder folder(deck.folder);

@@ -31,6 +31,7 @@ class OutputFolder : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
+// V-FOLDER.
 TEST_F(OutputFolder, TheUsersFilesStay) {
   ASSERT_EQ(run("first").status, 0);
   fs::copy(folder_ / "first/deck.xml", folder_ / "deck.xml");

@@ -21,6 +21,7 @@ void expect_both_refuse(const TemporaryFolder& folder, const std::string& argume
   EXPECT_NE(check.standard_error.find(told), std::string::npos) << check.standard_error;
 }
 
+// V-SAME.
 TEST(CheckAndRun, RefuseNamesThatAreTooLong) {
   const TemporaryFolder folder;
   const fs::path deck =

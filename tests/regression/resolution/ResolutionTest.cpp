@@ -97,6 +97,7 @@ TEST(Resolution, ExplicitLayoutsSayWhatTheyLack) {
   EXPECT_NE(check.standard_output.find("under-integrates"), std::string::npos);
 }
 
+// V-LOCK-8.
 TEST(Locking, AutomaticTakesTheMeanWhereItIsNeeded) {
   const Finished automatic = run_case("locking");
   ASSERT_EQ(automatic.force.size(), 3u);

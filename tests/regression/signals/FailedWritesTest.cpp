@@ -11,6 +11,7 @@
 namespace stroma::test {
 namespace {
 
+// V-SIGNALS.
 TEST(FailedWrites, AFullStandardOutputIsAnError) {
   const TemporaryFolder folder;
   folder.write("gel.yaml", small_deck());

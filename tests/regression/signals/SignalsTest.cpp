@@ -12,6 +12,7 @@ namespace {
 
 class Signals : public ::testing::TestWithParam<std::pair<const char*, int>> {};
 
+// V-SIGNALS.
 // Steps enough for minutes; the signal comes with the third row of the table.
 TEST_P(Signals, EndTheRunWithWhatIsOnDisk) {
   const auto [signal, ranks] = GetParam();

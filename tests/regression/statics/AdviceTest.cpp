@@ -35,6 +35,7 @@ void expect_helped(const std::string& deck, const std::string& settings, const s
   }
 }
 
+// V-ADVICE.
 TEST(Advice, ContrastIsHelpedByDoublePrecision) {
   expect_helped("false_convergence/base.yaml", contrast, "",
                 "- the stiffest material is 1e+09 times stiffer",

@@ -126,6 +126,7 @@ void expect_table_of_histories(const fs::path& study) {
   EXPECT_GT(std::abs(force(0) / force(2) - 1.0), 1e-4);  // clamped: the size matters
 }
 
+// V-STUDY.
 TEST(Study, TabulatesItsMembersAndRunsThemOnce) {
   const TemporaryFolder folder;
   folder.write("base.yaml", base_deck);
@@ -287,6 +288,7 @@ const char* const compared_study = R"(Study:
       - fine__with_vessels__Pictures_true
 )";
 
+// V-STUDY-COMPARE.
 TEST(Study, ComparesItsMembers) {
   const TemporaryFolder folder;
   folder.write("slice.yaml", slice_deck);
@@ -333,6 +335,7 @@ TEST(Study, ComparesItsMembers) {
     EXPECT_NE(outcome.standard_output.find(text), std::string::npos) << text;
 }
 
+// V-STUDY-PICTURES.
 TEST(Study, DrawsVonMisesMapsOfFinishedMembers) {
   const TemporaryFolder folder;
   folder.write("slice.yaml", slice_deck);

@@ -11,6 +11,7 @@
 namespace stroma {
 namespace {
 
+// V-SIGNALS.
 TEST(Log, AFullDeviceIsARunErrorOnEveryRank) {
   const auto world = base::Communicator::world();
   base::Log log(world, true);

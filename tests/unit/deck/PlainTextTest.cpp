@@ -40,6 +40,7 @@ std::string complaint(const std::string& text, Format format,
   }
 }
 
+// V-SAME.
 TEST(PlainText, IsAskedOfEveryNameAndText) {
   const std::string deck = yaml;
   EXPECT_EQ(complaint(deck, Format::yaml), "");

@@ -88,6 +88,7 @@ TEST_P(NeoHookeanLaw, StressIsTheDerivativeOfTheEnergy) {
   EXPECT_LT(stress_error(1e-5), 1e-6);
 }
 
+// V-MAT-2.
 TEST_P(NeoHookeanLaw, TangentIsTheDerivativeOfTheStress) {
   for (const double h : {1e-2, 5e-3, 2.5e-3})
     EXPECT_NEAR(std::log2(tangent_error(h) / tangent_error(h / 2)), 2.0, 0.05) << "at h = " << h;
@@ -124,6 +125,7 @@ TEST_P(NeoHookeanLaw, StressOfBothFunctionsIsTheSame) {
   EXPECT_LT(norm(tau - j * law.cauchy_stress(H)), 1e-12 * norm(tau));
 }
 
+// V-MAT-3.
 TEST_P(NeoHookeanLaw, RotatingTheSpecimenRotatesTheStress) {
   const Tensor3 Q = rotation(0.7, 0) * rotation(-2.1, 1) * rotation(1.3, 2);
   const Tensor3 F = identity() + H;
@@ -135,6 +137,7 @@ TEST_P(NeoHookeanLaw, RotatingTheSpecimenRotatesTheStress) {
   EXPECT_LT(norm(law.kirchhoff_stress(F * Q - identity()) - tau), 1e-13 * norm(tau) * 10);
 }
 
+// V-MAT-4.
 // Hooke's law, with strains of 1e-12 in every entry. The next order of the expansion is smaller by
 // a factor of the strain; forming J - 1 from F would lose all but 4 digits, and the energy, of
 // second order, all of them.
@@ -157,6 +160,7 @@ TEST_P(NeoHookeanLaw, TinyStrainsKeepTheirDigits) {
   EXPECT_EQ(norm(law.kirchhoff_stress(Tensor3{})), 0.0);
 }
 
+// V-MAT-5.
 TEST_P(NeoHookeanLaw, AnInvertedParticleIsNotFinite) {
   const Tensor3 flat{{{0, 0, 0}, {0, -1, 0}, {0, 0, 0}}};
   const Tensor3 inside_out{{{0, 0, 0}, {0, -2.5, 0}, {0, 0, 0}}};

@@ -153,6 +153,7 @@ TEST_P(MeanDilatation, TangentIsTheSymmetricDerivativeOfTheForce) {
   EXPECT_LT(sum(stencil, -1.0, Kv).normInf(), 1e-6 * Kv.normInf());
 }
 
+// V-LOCK-2.
 // The state that a step leaves to the next one is that of the mean: a grid reset changes no energy,
 // and no volume.
 TEST_P(MeanDilatation, IsCarriedOnByAGridReset) {
@@ -166,6 +167,7 @@ TEST_P(MeanDilatation, IsCarriedOnByAGridReset) {
   EXPECT_NEAR(energy(moving.balance(), at_rest), before, 1e-12 * before);
 }
 
+// V-LOCK-3.
 // Where the strain is uniform the mean is everybody's own: energy and stress are those of the
 // pointwise dilatation, and so is the force where the elements' material is uniform too; in a
 // rotation by a radian, which strains nothing, there is none.

@@ -52,6 +52,7 @@ TEST(Supports, ReactionsAreTheInternalForcesOfEachCondition) {
               std::sqrt(25.0 * (1 + 4 + 9) + 75.0 * 100.0), 1e-10);
 }
 
+// V-SUP-2.
 TEST(Supports, ContradictionsAreNamed) {
   Specimen specimen;
   specimen.conditions = {{"floor", hold(Face::y_lower, "xyz")}, {"wall", hold(Face::x_lower, "y")}};

@@ -99,6 +99,7 @@ TEST_P(AssembledTangent, AgreesWithTheProductThatFormsNoMatrix) {
   EXPECT_LT(product.normInf(), 1e-13 * Kv.normInf());
 }
 
+// V-TAN-2.
 TEST_P(AssembledTangent, IsSymmetric) {
   const auto balance = specimen().balance(world());
   balance->assemble_tangent(displacement(*balance, 0, 0.15));

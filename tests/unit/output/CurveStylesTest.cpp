@@ -39,6 +39,7 @@ const CurveThing grid{"grid", {"8 px", "4 px", "2 px"}}, mode{"mode", {"reset", 
     specimen{"specimen", {"with vessels", "collagen only"}}, grip{"grip", {"clamped", "rollers"}},
     same{"same", {"always"}};
 
+// V-STUDY-PICTURES.
 TEST(CurveStyles, HaveALegendByThings) {
   const std::vector<CurveThing> things{mode, grid, same, specimen};
   const CurveStyles styles = curve_styles(things, curves_of(things));

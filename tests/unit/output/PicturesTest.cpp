@@ -233,6 +233,7 @@ TEST(Gnuplot, AFailureIsToldInOneLine) {
   EXPECT_EQ(failure.find('\n'), std::string::npos);
 }
 
+// V-SIGNALS.
 // A program of that name that hangs, in a child of its own at that.
 TEST(Gnuplot, OneThatHangsIsGivenUp) {
   const TemporaryFolder folder;

@@ -51,6 +51,7 @@ TEST(RunFolder, AFolderThatCannotBeWrittenIsAnInputError) {
   EXPECT_THROW(output::RunFolder(base::Communicator::world(), "/proc", {}), base::InputError);
 }
 
+// V-FOLDER.
 TEST(RunFolder, RemovesWhatARunLeftAndNothingElse) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();

@@ -37,6 +37,7 @@ std::vector<std::string> lines_with(const std::string& script, const std::string
   return lines;
 }
 
+// V-STUDY-PICTURES.
 TEST(RasterPlot, IsReadBackAsItWasDrawn) {
   const auto world = base::Communicator::world();
   const TemporaryFolder folder;

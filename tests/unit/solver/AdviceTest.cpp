@@ -29,6 +29,7 @@ TEST(Advice, BarelyFilledElementsAskForStabilization) {
   expect_first(known, 2, "a larger Grid|Stabilization (now 2e-05)");
 }
 
+// V-ADVICE.
 TEST(Advice, ContrastAsksForDoublePrecision) {
   Circumstances known;
   known.contrast = 2e7;

@@ -166,6 +166,7 @@ TEST_P(Bodies, CoarseOperatorsAreGalerkins) {
   }
 }
 
+// V-GMG-2.
 TEST_P(Bodies, TheCycleIsSymmetric) {
   const Problem problem(awkward(GetParam()), world(), many_levels());
   for (int seed = 1; seed < 4; ++seed) {
@@ -207,6 +208,7 @@ double worst_reduction(const Problem& problem) {
   return worst;
 }
 
+// V-GMG-3.
 // Two levels, the second solved exactly: the error's energy norm shrinks at least threefold a
 // cycle, at two sizes.
 TEST(GeometricMultigrid, TwoLevelsConverge) {
@@ -221,6 +223,7 @@ TEST(GeometricMultigrid, TwoLevelsConverge) {
   }
 }
 
+// V-GMG-4.
 TEST(GeometricMultigrid, CountsDoNotGrowWithSize) {
   for (const std::int64_t n : {8, 16, 32}) {
     const Problem problem(block({n, n, n / 2 + 1}), world(), many_levels());
@@ -230,6 +233,7 @@ TEST(GeometricMultigrid, CountsDoNotGrowWithSize) {
   }
 }
 
+// V-GMG-5.
 TEST(GeometricMultigrid, CopesWithContrast) {
   for (const double contrast : {1.0, 10.0, 100.0, 1000.0, 10000.0}) {
     Specimen specimen = block({16, 16, 16});
@@ -286,6 +290,7 @@ Specimen sponge(const grid::Index3& elements) {
   return specimen;
 }
 
+// V-GMG-7.
 // Barely filled elements have soft modes of their own. A cycle that solves on them is definite and
 // needs a fraction of the iterations; on several ranks about as many.
 TEST(GeometricMultigrid, SolvesOnBarelyFilledElementsByThemselves) {

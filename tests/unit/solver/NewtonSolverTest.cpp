@@ -56,6 +56,7 @@ TEST(NewtonSolver, ConvergesQuadratically) {
   RecordProperty("order", std::to_string(order));
 }
 
+// V-NEW-5.
 // Solving Newton steps no better than they are worth: the same answer, as many Newton iterations,
 // fewer linear ones.
 TEST(NewtonSolver, AdaptiveForcingSavesLinearIterationsOnly) {
@@ -80,6 +81,7 @@ TEST(NewtonSolver, AdaptiveForcingSavesLinearIterationsOnly) {
   EXPECT_LT(adaptive.normInf(), 1e-8 * constant.normInf());
 }
 
+// V-NEW-2.
 // The patch test, solved: uniform material, linear displacement on all faces, from a start that is
 // wrong everywhere inside.
 TEST(NewtonSolver, FindsTheHomogeneousState) {
@@ -103,6 +105,7 @@ TEST(NewtonSolver, FindsTheHomogeneousState) {
   }
 }
 
+// V-NEW-3.
 // Rollers: what is held against rigid motion carries no force, and the supports' forces balance.
 TEST(NewtonSolver, RigidHoldsCarryNothingAndReactionsBalance) {
   Specimen specimen = two_materials(0.1);

@@ -14,6 +14,7 @@ namespace {
 
 const ForceRecord straight{{0.0, 0.25, 0.5, 0.75, 1.0}, {0.0, 5.0, 10.0, 15.0, 20.0}};
 
+// V-STUDY-COMPARE.
 TEST(ForceDeparture, InterpolatesInLoad) {
   const ForceRecord record{{0.0, 0.5, 1.0}, {0.0, 8.0, 10.0}};
   EXPECT_EQ(force_at(record, 0.0), 0.0);

@@ -16,6 +16,7 @@ SizedFigure at(double size, double f0, double c, double p) {
   return {size, f0 + c * std::pow(size, p)};
 }
 
+// V-RICHARDSON.
 TEST(Richardson, IsExactForAPower) {
   for (const double p : {0.5, 1.0, 1.7, 2.0, 4.0}) {
     for (const double c : {3.0, -0.02}) {

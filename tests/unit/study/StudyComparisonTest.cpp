@@ -30,6 +30,7 @@ const char* const both = R"(  Compare: {Thing: mode, Reference: no reset}
   Gain: {Thing: "Materials|vessel|Shear Modulus [Pa]", Reference: 520.8}
 )";
 
+// V-STUDY-COMPARE.
 TEST(StudyComparison, PairsMembersThatDifferInOneThing) {
   const Study study = study_of(both);
   const auto members = members_of(study.variations);

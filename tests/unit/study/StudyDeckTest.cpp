@@ -86,6 +86,7 @@ TEST(StudyDeck, ReadsXmlAlike) {
   EXPECT_EQ(members[1].folder, "8_px__Preconditioner_Direct");
 }
 
+// V-STUDY.
 TEST(StudyDeck, VariesTrueAndFalse) {
   const auto yaml =
       members_in("Study:\n  Base Deck: deck.xml\n  Vary: {Grid|Reset: [true, false]}\n");

@@ -38,6 +38,7 @@ TEST(BoxPartition, ProductOfRows) {
   }
 }
 
+// V-TRAFFIC.
 TEST(BoxPartition, SumOfBoxes) {
   // A rank touches (n + 1)^3 nodes; a whole face goes to each of six neighbours.
   for (const std::int64_t n : {1, 2, 5, 16}) {

@@ -68,6 +68,7 @@ class CountedTraffic : public ::testing::Test {
   }
 };
 
+// V-TRAFFIC.
 TEST_F(CountedTraffic, OfAProductOfRows) {
   balance->assemble_tangent(u);
   const auto rows = balance->tangent_matrix();

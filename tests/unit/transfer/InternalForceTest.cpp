@@ -177,6 +177,7 @@ TEST(InternalForce, SumsToNothing) {
   }
 }
 
+// V-TRA-2.
 // The whole energy, differentiated along a direction that moves every node, is the force's power.
 TEST(InternalForce, IsTheDerivativeOfTheEnergy) {
   const Body body;
@@ -189,6 +190,7 @@ TEST(InternalForce, IsTheDerivativeOfTheEnergy) {
     EXPECT_NEAR(std::log2(error(h) / error(h / 2)), 2.0, 0.1) << "at h = " << h;
 }
 
+// V-TRA-3.
 TEST(TangentTimes, IsTheDerivativeOfTheForce) {
   const Body body;
   const Nodal u = body.scattered(0.15, 1), v = body.scattered(1.0, 2);

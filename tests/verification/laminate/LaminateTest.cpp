@@ -33,7 +33,7 @@ double root(const std::function<double(double)>& f) {
 }
 
 /// Nominal stress P_yy at the stretches ax, ay in plane strain, from the law as docs/theory.md
-/// writes it, (T.8), with long-hand algebra.
+/// writes it, (3.1), with long-hand algebra.
 double stress_across(const material::NeoHookean& m, double ax, double ay) {
   const double J = ax * ay, trace = ax * ax + ay * ay + 1.0;
   const double tau = m.shear_modulus * std::pow(J, -2.0 / 3.0) * (ay * ay - trace / 3.0) +

@@ -120,6 +120,7 @@ void compare_stresses(const ReferenceCase& reference, const fs::path& path) {
   std::printf("  stresses within %.1e\n", worst / largest);
 }
 
+// V-REF-B, V-REF-C, V-REF-D, V-REF-E, V-SOLVERS.
 TEST_P(ReferenceCases, AreReproduced) {
   const ReferenceCase reference(GetParam());
   const TemporaryFolder folder;

@@ -47,6 +47,7 @@ const std::string deck = vessel_block("20, 24, 16") + clamped_stretch() + R"(  L
 
 class ThreadsHistory : public ::testing::TestWithParam<const char*> {};
 
+// V-THREADS-2.
 // The kernels give the same bits, but sums over all unknowns (dots, norms) are taken in parts of
 // which there are as many as threads: conjugate gradients differ by rounding.
 TEST_P(ThreadsHistory, IsTheSame) {
@@ -101,6 +102,7 @@ int threads_told(const std::string& output) {
   return threads;
 }
 
+// V-THREADS-3.
 TEST(ThreadNumber, IsWhatIsAskedFor) {
   const TemporaryFolder folder;
   const fs::path path = folder.write("block.yaml", deck);
