@@ -37,10 +37,10 @@ class StepRejected : public std::runtime_error {
 /// Exit status of the program for each kind of error (0: done).
 enum class ExitStatus { done = 0, run_failed = 1, wrong_input = 2 };
 
-/// Runs work() on every rank of the communicator, then compares notes: when any rank threw, every
-/// rank throws an exception of the same class (InputError, RunError, StepRejected; anything else
-/// becomes a RunError) with the message of the lowest rank that failed. Collective. work() itself
-/// must not communicate after a point where one rank alone may throw.
+/// Runs work() on every rank of the communicator, then tells all ranks how it ended: when any rank
+/// threw, every rank throws an exception of the same class (InputError, RunError, StepRejected;
+/// anything else becomes a RunError) with the message of the lowest rank that failed. Collective.
+/// work() itself must not communicate after a point where one rank alone may throw.
 void collectively(const Communicator& communicator, const std::function<void()>& work);
 
 }  // namespace stroma::base

@@ -62,7 +62,7 @@ Admissible or_one_of(Admissible entries, std::vector<std::string> words);
 Admissible number_that(std::string clause, Admissible::NumberRule rule);
 /// Any other condition on strings, in words, e.g. "some of the letters x, y and z, each once".
 Admissible text_that(std::string description, Admissible::TextRule rule);
-/// For the reader's eye: conditions hold for each entry of an array anyhow.
+/// For the reader's eye: conditions hold for each entry of an array in any case.
 inline Admissible each(Admissible condition) { return condition; }
 
 }  // namespace stroma::deck

@@ -72,7 +72,7 @@ class BoundaryPointMaker {
     Vector at = X;
     at[d] += outwards;
     for (int c = 0; c < 3; ++c) {
-      // In plane strain a slice moves along z as a whole, and that is seen to elsewhere.
+      // In plane strain Supports holds z, at every node of the body.
       if (!condition.prescribes(c) || (body_.flat && c == 2)) continue;
       point.components |= 1 << c;
       point.displacement[c] = condition.value(c, at, body_.origin, length_);

@@ -119,7 +119,7 @@ std::array<double, 3> central_node(const base::Communicator& communicator, const
     double distance = 0.0;
     for (std::size_t d = 0; d < 3; ++d)
       distance += std::pow((at.position[d] - frame.centre[d]) / frame.length, 2);
-    distance = std::round(distance * 1e9);  // equal distances shall tie
+    distance = std::round(distance * 1e9);  // so that equal distances tie
     if (distance < nearest || (distance == nearest && at.node < mine.node)) {
       nearest = distance;
       mine = at;

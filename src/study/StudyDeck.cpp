@@ -302,7 +302,7 @@ deck::Section<StudyParameters> study_section() {
       "Cases.");
   section.optional(
       "Also Tabulate", &StudyParameters::also_tabulate, deck::any(),
-      "Columns of history.csv whose value at full load study.csv shall hold too, such as "
+      "Columns of history.csv whose value at full load is a column of study.csv too, such as "
       "bottom.reaction_x.");
   section.section(
       pairing_section("Compare",

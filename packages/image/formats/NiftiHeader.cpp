@@ -245,7 +245,7 @@ void take_spacing(VolumeHeader& header, const Fields& fields) {
   }
   const double micrometres = unit == 1 ? 1e6 : unit == 2 ? 1e3 : 1.0;
   for (std::size_t d = 0; d < dimensions; ++d) {
-    // What was written as 1.05 shall not come back as 1.0499999523.
+    // So that what was written as 1.05 does not come back as 1.0499999523.
     const double um = spacing[d] * micrometres;
     set_spacing(header, static_cast<int>(d),
                 fields.version2() ? um : shortest_decimal(static_cast<float>(um)), 1.0);

@@ -80,7 +80,7 @@ void keep_no_variables_in_memory() {
 
 ExodusFile ExodusFile::create(const std::string& path, Precision precision,
                               std::size_t longest_name) {
-  ex_opts(0);  // the library shall not print
+  ex_opts(0);  // so that the library does not print
   keep_no_variables_in_memory();
   // The library does not tell why it cannot create a file; the operating system does.
   std::FILE* trial = std::fopen(path.c_str(), "ab");
