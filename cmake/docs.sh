@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the docs as a site, build/docs/index.html, and the pages of the code beside it; any warning is an error, and any claim whose test is not there.
+# Builds the docs as a site, build/docs/index.html, and the pages of the code beside it. Any warning is an error, and so
+# is a claim without its test, or a comment that names an equation that is not there.
 #
-#   cmake/docs.sh [--build DIR]      what is built lies below DIR; else below build. The program must have been built there.
+#   cmake/docs.sh [--build DIR]      what is built lies below DIR; else below build. The program must have been built
+#                                    there: it prints the deck's reference
 set -euo pipefail
 project=$(cd "$(dirname "$0")/.." && pwd)
 build=$project/build
 case ${1:-} in
   "") ;;
   --build) build=$(cd "$2" && pwd) ;;
-  *) sed -n '3,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 bash "$project/cmake/install_dependencies.sh" docs
 python3 "$project/cmake/check_claims.py"
+python3 "$project/cmake/check_equations.py"
 
 stroma=$build/release/bin/stroma
 site=$build/docs
