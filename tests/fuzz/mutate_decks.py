@@ -48,12 +48,12 @@ def seeds():
 
 
 def small(text):
-    """Images at hand in place of those that prepare.sh makes, and small parts of them, so that most mutants can be run."""
+    """Small parts of the images, and one at hand in place of that which a prepare.sh makes, so that most mutants can be run."""
     images = SOURCE / "tests" / "data" / "images"
     parameter = '<Parameter name="{}" type="Array({})" value="{}"/>'.format
     voxel, region = parameter("Voxel Size [um]", "double", "{1.05, 1.05, 1.0}"), parameter("Region", "int", "{0, 0, 0, 24, 24, 24}")
     file = '<Parameter name="File" type="string" value="{}"/>'.format
-    text = text.replace(file("slice.tif"), file(images / "slice25_vessels.tif") + region.replace("24, 24, 24", "64, 64, 1"))
+    text = text.replace(file("../../tests/data/images/slice25_vessels.tif"), file(images / "slice25_vessels.tif") + region.replace("24, 24, 24", "64, 64, 1"))
     text = text.replace(file("microvessels.tif"), file(images / "endo_block.tif") + region + voxel)
     text = text.replace(file("../../tests/data/images/endo_block.tif"), file(images / "endo_block.tif") + region)
     return text.replace("{50, 50, 33}", "{12, 12, 12}")

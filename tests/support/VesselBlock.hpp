@@ -52,15 +52,13 @@ inline std::string clamped_stretch() {
 }
 
 /// Runs the prepare.sh of an input deck's folder, which makes its image.
-/// \param arguments  after the program's path
-inline bool prepare(const fs::path& folder, const std::string& arguments = "") {
+inline bool prepare(const fs::path& folder) {
   const std::string line = "cd " + quoted(folder) +
                            " && env -i PATH=\"$PATH\" HOME=" + quoted(folder) +
-                           " "
-                           "LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" OMPI_ALLOW_RUN_AS_ROOT=1 "
+                           " LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" OMPI_ALLOW_RUN_AS_ROOT=1 "
                            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1 "
                            "OMPI_MCA_orte_create_session_dirs=0 bash prepare.sh " +
-                           quoted(STROMA_EXECUTABLE) + " " + arguments + " > /dev/null";
+                           quoted(STROMA_EXECUTABLE) + " > /dev/null";
   return std::system(line.c_str()) == 0;
 }
 

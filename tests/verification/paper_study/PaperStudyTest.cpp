@@ -15,24 +15,20 @@
 namespace stroma::test {
 namespace {
 
-/// The study's folder with its slice; members are run once, and kept for all tests.
+const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "input_decks" / "07_paper_study" / "deck.xml";
+
+/// A folder for the members, which are run once and kept for all tests.
 class PaperStudy : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = new TemporaryFolder;
-    fs::copy(fs::path(STROMA_SOURCE_DIR) / "input_decks" / "07_paper_study", folder_->path(),
-             fs::copy_options::recursive);
-    const fs::path slice =
-        fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "images" / "slice25_vessels.tif";
-    ASSERT_TRUE(prepare(folder_->path(), quoted(slice))) << "prepare.sh failed";
-  }
+  static void SetUpTestSuite() { folder_ = new TemporaryFolder; }
   static void TearDownTestSuite() { delete folder_; }
 
   /// Force on the top [pN] at each load step.
   static std::vector<double> force(int pixels, int per_pixel, const std::string& mode) {
     const std::string out = std::to_string(pixels) + "_" + std::to_string(per_pixel) + "_" + mode;
     if (!fs::exists(*folder_ / out)) {
-      std::string arguments = "run deck.xml -o " + out + " --quiet --set 'Output|Pictures=false'";
+      std::string arguments =
+          "run " + quoted(deck) + " -o " + out + " --quiet --set 'Output|Pictures=false'";
       const std::string h = std::to_string(1.05 * pixels);
       arguments += " --set 'Grid|Element Size [um]={" + h + ", " + h + ", 1.0}'";
       arguments += " --set 'Particles|Per Voxel=" + std::to_string(per_pixel) + "'";

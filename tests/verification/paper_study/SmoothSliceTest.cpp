@@ -14,24 +14,19 @@
 namespace stroma::test {
 namespace {
 
-/// The study's folder with its slice.
+const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "input_decks" / "08_smooth_shapes" / "deck.xml";
+
+/// A folder for the runs.
 class SmoothSlice : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() {
-    folder_ = new TemporaryFolder;
-    fs::copy(fs::path(STROMA_SOURCE_DIR) / "input_decks" / "08_smooth_shapes", folder_->path(),
-             fs::copy_options::recursive);
-    const fs::path slice =
-        fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "images" / "slice25_vessels.tif";
-    ASSERT_TRUE(prepare(folder_->path(), quoted(slice))) << "prepare.sh failed";
-  }
+  static void SetUpTestSuite() { folder_ = new TemporaryFolder; }
   static void TearDownTestSuite() { delete folder_; }
 
   /// Five steps to full load with elements of 8 pixels, 64 particles each; with softer springs than
   /// by default, for the sake of time.
   static History run(const std::string& shape_functions, bool reset, bool collagen_only) {
-    std::string arguments =
-        "run deck.xml -o out --quiet --set 'Output|Pictures=false' --set 'Loading|Steps=5'";
+    std::string arguments = "run " + quoted(deck) + " -o out --quiet" +
+                            " --set 'Output|Pictures=false' --set 'Loading|Steps=5'";
     for (const std::string support : {"top", "bottom"})
       arguments += " --set 'Boundary Conditions|" + support + "|Penalty Factor=2000'";
     arguments += " --set 'Grid|Shape Functions=" + shape_functions + "'";

@@ -53,7 +53,7 @@ class ReferenceCase {
   std::vector<CaseCondition> conditions_;
 };
 
-/// The case's file; tests skip where it is absent.
+/// The case's file.
 fs::path reference_file(const std::string& name);
 
 }  // namespace stroma::test
