@@ -5,7 +5,7 @@
     tidy.py BUILD [--tests] [--jobs N]
 
 A source that passed is not looked at again until something it is made of has changed: itself, a header of the project that it
-includes (over any number of headers), its command line, .clang-tidy, the version of clang-tidy or the Debian release. What passed is
+includes (over any number of headers), its options, .clang-tidy, the version of clang-tidy or the Debian release. What passed is
 kept as empty files, named by a hash of all that, in the folder STROMA_TIDY_CACHE, else in ~/.cache/stroma-tidy. Headers of
 Debian's libraries are no part of the hash: after an upgrade of one, remove the folder.
 
@@ -40,7 +40,9 @@ def included(path, folders):
     for name in INCLUDE.findall(content(path).decode("utf-8", "replace")):
         for folder in (path.parent, *folders):
             if (folder / name).is_file():
-                found.append((folder / name).resolve())
+                header = (folder / name).resolve()
+                if ROOT in header.parents:
+                    found.append(header)
                 break
     return found
 
@@ -59,10 +61,9 @@ def made_of(source, folders):
 def key(entry, source, common):
     """A hash of all that decides what clang-tidy says of a source."""
     arguments = shlex.split(entry["command"])
-    folders = tuple(
-        path for path in (pathlib.Path(a[2:]).resolve() for a in arguments if a.startswith("-I")) if ROOT in path.parents)
+    folders = tuple(pathlib.Path(argument[2:]) for argument in arguments if argument.startswith("-I"))
     hashed = hashlib.sha256(common)
-    hashed.update(" ".join(arguments).replace(str(ROOT), ".").encode())
+    hashed.update(" ".join(argument for argument in arguments if str(ROOT) not in argument).encode())
     for path in made_of(source, folders):
         hashed.update(str(path.relative_to(ROOT)).encode() + b"\0" + content(path) + b"\0")
     return hashed.hexdigest()
@@ -112,8 +113,10 @@ def main():
             failed += 1
             # A fault of a header is met by each source that includes it, and printed once.
             for message in re.split(r"(?m)^(?=\S+:\d+:\d+: (?:warning|error))", found):
-                if message.strip() and message not in printed:
-                    printed.add(message)
+                place = message.split(" ", 1)[0]
+                if message.strip() and place not in printed:
+                    printed.add(place)
+                    message = message.replace(str(options.build.resolve()) + "/include/stroma/", "packages/")
                     print(message.replace(str(ROOT) + "/", ""), end="", flush=True)
     print("clang-tidy: %d sources with faults, %.0f s" % (failed, time.monotonic() - begin))
     return 1 if failed else 0

@@ -29,10 +29,8 @@ namespace stroma::deck {
 ///
 ///     struct Grid { std::array<double, 3> element_size; bool reset = false; };
 ///     Section<Grid> section("Grid", "The background grid.");
-///     section.required("Element Size [um]", &Grid::element_size, positive(), "Sides of an element:
-///     x, y, z.")
-///         .optional("Reset", &Grid::reset, any(), "Return to the Cartesian grid after each
-///         step.");
+///     section.required("Element Size [um]", &Grid::element_size, positive(), "Sides: x, y, z.")
+///         .optional("Reset", &Grid::reset, any(), "Return to the Cartesian grid after a step.");
 ///
 /// Declaring a name twice throws std::logic_error.
 template <class T>
@@ -158,10 +156,11 @@ class Section {
   /// conversions.
   template <class M, class ToValue, class FromValue>
   void bind(ParameterDeclaration& entry, M T::*member, ToValue to_value, FromValue from_value) {
-    entry.store = [member, from_value](void* values, const Value& value) {
+    entry.store = [member, from_value = std::move(from_value)](void* values, const Value& value) {
       of(values).*member = from_value(value);
     };
-    entry.fetch = [member, to_value](const void* values) -> std::optional<Value> {
+    entry.fetch = [member,
+                   to_value = std::move(to_value)](const void* values) -> std::optional<Value> {
       const M& content = of(values).*member;
       if constexpr (detail::is_optional<M>::value) {
         if (!content) return std::nullopt;
@@ -207,7 +206,7 @@ class Section {
       }
       return std::string();
     };
-    const auto from_value = [choices](const Value& chosen) -> E {
+    const auto from_value = [choices = std::move(choices)](const Value& chosen) -> E {
       for (const auto& [word, value] : choices) {
         if (word == std::get<std::string>(chosen)) return value;
       }
@@ -238,8 +237,8 @@ class Section {
 /// \throws base::InputError  with every mistake of the deck, ordered by line, as in
 ///
 ///     2 mistakes in gel.xml
-///     line 14, Materials|collagen|Shear Modulus [Pa]: "soft" is not a number; admissible: a number
-///     > 0 line 21, Grid|Element Sise [um]: no such parameter; did you mean "Element Size [um]"?
+///     line 14, Materials|collagen|Shear Modulus [Pa]: "soft" is not a number; admissible: a number > 0
+///     line 21, Grid|Element Sise [um]: no such parameter; did you mean "Element Size [um]"?
 template <class T>
 T read(const Document& document, const Section<T>& root) {
   T values{};

@@ -137,11 +137,10 @@ Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& le
       if (std::abs(count - static_cast<double>(grid.elements[d])) > 1e-6) {
         const double fewer = std::max(1.0, std::floor(count));
         mistakes += base::format(
-            "\nGrid|Element Size [um]: %.10g um does not divide the specimen's %.10g um along %s "
-            "(%.4f "
-            "elements); admissible near it: %.10g um (%.0f elements) or %.10g um (%.0f elements), "
-            "or "
-            "use Grid|Elements",
+            "\n"
+            "Grid|Element Size [um]: %.10g um does not divide the specimen's %.10g um along %s "
+            "(%.4f elements); admissible near it: %.10g um (%.0f elements) or %.10g um (%.0f "
+            "elements), or use Grid|Elements",
             size, length[d], axis[d], count, length[d] / fewer, fewer, length[d] / (fewer + 1.0),
             fewer + 1.0);
       }
@@ -152,8 +151,8 @@ Grid make_grid(const GridParameters& parameters, const std::array<double, 3>& le
   if (parameters.plane_strain && grid.elements[2] != 1) {
     throw base::InputError(
         base::format("Grid|Plane Strain: true needs one element through z, but the grid has %lld; "
-                     "admissible: an "
-                     "element size of %.10g um along z, or a Region of the image one slice thick",
+                     "admissible: an element size of %.10g um along z, or a Region of the image "
+                     "one slice thick",
                      static_cast<long long>(grid.elements[2]), length[2]));
   }
   grid.flat = parameters.plane_strain;

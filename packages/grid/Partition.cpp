@@ -72,8 +72,7 @@ Partition Partition::balanced(const Grid& grid, int ranks,
   if (shape[0] == 0) {
     throw base::InputError(base::format(
         "a grid of %lld x %lld x %lld elements cannot be dealt in boxes to %d ranks; run with "
-        "fewer "
-        "ranks",
+        "fewer ranks",
         static_cast<long long>(grid.elements[0]), static_cast<long long>(grid.elements[1]),
         static_cast<long long>(grid.elements[2]), ranks));
   }

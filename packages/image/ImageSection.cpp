@@ -23,18 +23,16 @@ deck::Section<SegmentationParameters> segmentation_section() {
           "Method", &SegmentationParameters::method,
           {{"Threshold", Method::threshold}, {"Otsu", Method::otsu}, {"Labels", Method::labels}},
           "Threshold: label 1 where the intensity exceeds Threshold, else 0. Otsu: the same, with "
-          "the threshold that "
-          "parts the histogram best (one bin per level for integers, 256 equal bins for floats). "
-          "Labels: the values "
-          "are labels; -1 is empty space.")
+          "the threshold that parts the histogram best (one bin per level for integers, 256 equal "
+          "bins for floats). Labels: the values are labels; -1 is empty space.")
       .optional("Threshold", &SegmentationParameters::threshold, any(),
                 "Label 1 where the intensity exceeds it. Required with Method = Threshold, and "
                 "only then.")
       .optional("Smoothing [um]", &SegmentationParameters::smoothing, not_negative(),
                 "Standard deviation of the Gaussian that smooths the intensities first; 0: none. "
-                "Truncated at 4 "
-                "standard deviations; the image continues beyond its faces as its mirror image. "
-                "Along a direction in which it exceeds twice the image, the mean is taken.")
+                "Truncated at 4 standard deviations; the image continues beyond its faces as its "
+                "mirror image. Along a direction in which it exceeds twice the image, the mean is "
+                "taken.")
       .optional("Empty Labels", &SegmentationParameters::empty_labels,
                 or_one_of(not_negative(), {"Dark", "Bright"}),
                 "What becomes empty space, that is, label -1: with Method = Labels a list of "
@@ -122,8 +120,7 @@ deck::Section<PhantomParameters> phantom_section() {
           "Kind", &PhantomParameters::kind,
           {{"Uniform", Kind::uniform}, {"Vessels", Kind::vessels}, {"Shapes", Kind::shapes}},
           "Uniform: label 0 everywhere. Vessels: a microvessel network of label 1 in label 0. "
-          "Shapes: balls, "
-          "cylinders and boxes in label 0.")
+          "Shapes: balls, cylinders and boxes in label 0.")
       .required("Size", &PhantomParameters::size, at_least(1), "Voxels along x, y, z.")
       .required("Voxel Size [um]", &PhantomParameters::voxel_size, positive(),
                 "Sides of a voxel along x, y, z.")
@@ -168,8 +165,7 @@ deck::Section<ImageParameters> image_section() {
                 "The frame of a time series to read, counted from 0.")
       .optional("Voxel Size [um]", &ImageParameters::voxel_size, positive(),
                 "Sides of a voxel along x, y, z. Absent: the file's own. Required where the file "
-                "does not state it; "
-                "overrides the file's.")
+                "does not state it; overrides the file's.")
       .optional(
           "Region", &ImageParameters::region, not_negative(),
           "First voxel x, y, z, then number of voxels along x, y, z. Absent: the whole image.")

@@ -103,6 +103,7 @@ void ElementPatches::find_patches(const Chosen& chosen) {
     cluster.clear();
     take(static_cast<int>(start));
     if (cluster.empty()) continue;
+    // The cluster grows meanwhile. NOLINTNEXTLINE(modernize-loop-convert)
     for (std::size_t next = 0; next < cluster.size(); ++next)
       for_each_neighbour(elements, cluster[next], take);
     Patch patch;

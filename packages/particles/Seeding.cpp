@@ -27,13 +27,11 @@ deck::Section<ParticleParameters> particles_section() {
        {"Gauss", Layout::gauss},
        {"Per Element", Layout::per_element}},
       "Voxel Centers: Per Voxel^3 particles in each voxel, cut where faces of elements cross it, "
-      "and "
-      "halved where elements would have one alone: any resolution of the grid is integrated. "
-      "Gauss: "
-      "the 2 x 2 x 2 Gauss points of each element. Per Element: Per Element^3 equally spaced "
-      "particles in each element. These two take the label of the voxel at the particle for all "
-      "that it stands for, and so lose voxels where there are more than particles; the domains of "
-      "Gauss points leave gaps for shape functions that average over them, and Per Element = 1 "
+      "and halved where elements would have one alone: any resolution of the grid is integrated. "
+      "Gauss: the 2 x 2 x 2 Gauss points of each element. Per Element: Per Element^3 equally "
+      "spaced particles in each element. These two take the label of the voxel at the particle for "
+      "all that it stands for, and so lose voxels where there are more than particles; the domains "
+      "of Gauss points leave gaps for shape functions that average over them, and Per Element = 1 "
       "leaves motions of nodes without resistance. In plane strain, Voxel Centers and Per Element "
       "have one particle through z: nothing varies there.");
   section.optional("Per Voxel", &ParticleParameters::per_voxel, deck::between(1, 16),

@@ -14,8 +14,8 @@ namespace stroma::shape {
 /// B-splines N_I of degree p on open knots, one at each node of the lattice, averaged over a
 /// particle's domain, a box of half edges l along the axes:
 ///
-///     N_I(x) = 1/(2 l) integral over [x - l, x + l] of N_I,    dN_I/dx = (N_I(x + l) - N_I(x - l))
-///     / (2 l).
+///     N_I(x)  = 1/(2 l) integral over [x - l, x + l] of N_I,
+///     dN_I/dx = 1/(2 l) (N_I(x + l) - N_I(x - l)).
 ///
 /// Where domains lie side by side, the sum of these gradients over the particles is the integral of
 /// the splines' gradients over the body, wherever the knots are: a uniform stress is in equilibrium

@@ -13,8 +13,7 @@ namespace stroma::shape {
 /// and averaged over it. The domain is a parallelepiped with the half edges r_k; its corners are
 /// x_c = x + sum_k s_ck r_k, s_ck = +-1, and with d_k dual to r_k (d_k . r_l = delta_kl)
 ///
-///     N_I = 1/C sum_c hat_I(x_c),     grad N_I = 1/C sum_c hat_I(x_c) sum_k s_ck d_k,     C =
-///     2^dimensions.
+///     N_I = 1/C sum_c hat_I(x_c),   grad N_I = 1/C sum_c hat_I(x_c) sum_k s_ck d_k,   C = 2^dimensions.
 ///
 /// Elements are centred at nodes and hats go on beyond the ends of the grid, as for GIMP; a domain
 /// that reaches further than half an element along an axis is scaled down.

@@ -63,7 +63,7 @@ class NewtonSolver {
   Progress progress_;
   std::unique_ptr<LinearSolver> linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
-  void choose_forcing(double relative);
+  void choose_forcing(double now);
   double loosest_forcing() const;
   void check_rounding(const grid::Vector& u) const;
 

@@ -27,8 +27,7 @@ using ForceAtParticles = Kokkos::View<const double* [3], Kokkos::LayoutRight, De
 
 /// Adds the external force at full load of each element's particles to its nodes:
 ///
-///     f_Ii = sum_p N_I(x_p) f_pi,     f_p = V0 (b_p + sum (per_volume, times rho if per mass))
-///     [pN]
+///     f_Ii = sum_p N_I(x_p) f_pi,   f_p = V0 (b_p + sum (per_volume, times rho if per mass))   [pN]
 ///
 /// with N_I + grad N_I . F r for N_I when the force acts at X_p + r. The forces are dead (they do
 /// not change with the deformation), and N_I is that of the base configuration, as it is in the

@@ -64,8 +64,7 @@ int phantom_command(const base::Communicator& communicator, const PhantomOptions
                         options.voxel_size[1], options.voxel_size[2]));
   log.line(
       base::format("volume fraction of the vessels %.5f (asked for: %.5f), above Otsu's threshold "
-                   "%d; of the tubes "
-                   "before blur and noise %.5f",
+                   "%d; of the tubes before blur and noise %.5f",
                    grey.otsu_fraction, options.fraction, grey.otsu_threshold, grey.drawn_fraction));
   return 0;
 }

@@ -220,9 +220,9 @@ void Results::print_give(const mechanics::MomentumBalance& balance, const grid::
   const double springs = balance.spring_energy(u);
   if (springs <= 0.0) return;
   log_->line(
-      base::format("\npenalty    the springs of the supports hold %.2g of the energy: about by so "
-                   "much they lower "
-                   "the forces",
+      base::format("\n"
+                   "penalty    the springs of the supports hold %.2g of the energy: about by so "
+                   "much they lower the forces",
                    springs / (springs + rows_.back().strain_energy)));
 }
 

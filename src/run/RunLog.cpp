@@ -95,8 +95,7 @@ std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
     advice += "\n- " + one;
   return format(
              "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step "
-             "forbids "
-             "smaller ones: %s\n",
+             "forbids smaller ones: %s\n",
              load.load(), load.next(), reason.c_str()) +
          format("worst particle: id %lld, material \"%s\", at (%.6g, %.6g, %.6g) um, J = %.4g\n",
                 static_cast<long long>(worst.id),

@@ -106,8 +106,7 @@ int main() {
   const Machine machine;
   std::printf(
       "| elements | ranks | elements a rank | levels | messages | kB sent | kB summed | memory "
-      "(ms) "
-      "| neighbours (ms) | sums (ms) | coarsest grid (ms) | iteration (ms) | of it memory |\n"
+      "(ms) | neighbours (ms) | sums (ms) | coarsest grid (ms) | iteration (ms) | of it memory |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const int ranks : {1, 2, 16, 128, 1024, 4096}) print(machine, {256, 256, 26}, ranks);
   // Weak: 32 x 32 x 32 elements a rank.

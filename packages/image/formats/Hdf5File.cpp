@@ -115,7 +115,7 @@ std::vector<std::string> text_attribute(hid_t object, const char* name) {
   if (H5Tis_variable_str(given.type.get()) > 0) return variable_texts(given);
   std::string all(given.entries * given.entry_bytes, '\0');
   if (H5Aread(given.attribute.get(), given.type.get(), all.data()) < 0) return {};
-  if (given.entry_bytes == 1) return {all.c_str()};
+  if (given.entry_bytes == 1) return {all.substr(0, all.find('\0'))};
   std::vector<std::string> texts;
   for (std::size_t entry = 0; entry < given.entries; ++entry)
     texts.emplace_back(all.substr(entry * given.entry_bytes, given.entry_bytes).c_str());

@@ -181,8 +181,7 @@ class Hdf5Source : public ImageSource {
     if (values * summary_.type.bytes > std::min(static_cast<double>(stored), length)) {
       refuse_dataset(base::format(
           "says that it holds %.0f values of %d bytes; its %llu bytes in a file of %.0f cannot "
-          "hold "
-          "them (broken or truncated)",
+          "hold them (broken or truncated)",
           values, summary_.type.bytes, static_cast<unsigned long long>(stored), length));
     }
   }

@@ -54,7 +54,7 @@ std::unique_ptr<ImageSource> open_hdf5(const ImageRequest& request);
 /// Opens a file by what it begins with, not by its name. Collective.
 /// \throws base::InputError on all ranks: missing, a folder, empty, no known format, or broken
 std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
-                                        const ImageRequest& request);
+                                        const ImageRequest& wanted);
 
 /// \throws base::InputError  "PATH: what"
 [[noreturn]] void refuse(const std::string& path, const std::string& what);

@@ -74,13 +74,13 @@ class TiffPages {
 
   /// \throws base::InputError when strips or tiles of the page lie beyond the end of the file, or
   ///   are larger than what they hold, or than any use
-  void check_pieces(std::size_t page);
+  void check_pieces(std::size_t index);
   /// Where the values of an uncompressed page in one piece start; nothing when it is in several
   /// pieces.
   std::optional<std::uint64_t> start_of_values(std::size_t page);
   /// A box of one sample of a page, x fastest; along z, of its depth.
   /// \throws base::InputError when it cannot be decoded
-  void read(std::size_t page, std::int64_t sample, const Box& box, double* values);
+  void read(std::size_t index, std::int64_t sample, const Box& box, double* values);
 
  private:
   struct Close {
@@ -97,9 +97,9 @@ class TiffPages {
   void read_tags();
   TiffPage describe_page();
   void go_to(std::size_t page);
-  Pieces pieces_of(std::size_t page) const;
+  Pieces pieces_of(std::size_t index) const;
   /// Decodes the piece that holds a pixel of a plane, and as much of it as the page has.
-  void read_piece(std::size_t page, const Pieces& pieces, std::int64_t x, std::int64_t y,
+  void read_piece(std::size_t index, const Pieces& pieces, std::int64_t x, std::int64_t y,
                   std::int64_t z, std::int64_t sample, std::vector<unsigned char>& bytes);
 
   std::string path_;

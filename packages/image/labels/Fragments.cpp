@@ -64,8 +64,7 @@ std::string leave_out_fragments(const base::Communicator& communicator, LabelVol
   const bool one = fragments == 1;
   return base::format(
       "%lld fragment%s of the body, %lld voxel%s%s or %.2g %% of it, %s left out: no face of a "
-      "voxel "
-      "joins %s to what the conditions on the body's faces hold or load",
+      "voxel joins %s to what the conditions on the body's faces hold or load",
       static_cast<long long>(fragments), one ? "" : "s", static_cast<long long>(left_out),
       left_out == 1 ? "" : "s",
       one ? ""

@@ -56,8 +56,8 @@ Histogram histogram(const base::Communicator& communicator, const IntensityVolum
 Histogram equal_bins(const base::Communicator& communicator, const IntensityVolume& volume,
                      int bins);
 
-/// Otsu's threshold: the bin centre t that maximises the variance between the classes I <= t and I
-/// > t,
+/// Otsu's threshold: the bin centre t that maximises the variance between the classes I <= t
+/// and I > t,
 ///
 ///     n1 n2 (m1 - m2)^2,   n: counts, m: means of the bin centres,
 ///

@@ -13,8 +13,8 @@ namespace stroma::image {
 /// Mean width of the objects of one label [um], by stereology: the mean chord of a long tube of any
 /// direction is its diameter,
 ///
-///     width = 4 V / S,   S / V_total = 2 P_L   (in a single slice: 4 A / B, B / A_total = pi/2
-///     P_L),
+///     width = 4 V / S,   S / V_total = 2 P_L,
+///     in a single slice: width = 4 A / B,   B / A_total = pi/2 P_L,
 ///
 /// with P_L the crossings of the objects' surface per length of grid lines along the axes. Faces of
 /// the image are no surface. 0 when the label does not occur, infinity when it has no surface.

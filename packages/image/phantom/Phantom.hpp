@@ -61,8 +61,8 @@ LabelVolume make_phantom(const base::Communicator& communicator,
 /// center:
 ///
 ///     ball:      d.d < r^2
-///     cylinder:  d.d (a.a) - (d.a)^2 < r^2 (a.a),  and |d.a| < (length / 2) |a| unless it is
-///     without end box:       |d_i| < size_i / 2
+///     cylinder:  d.d (a.a) - (d.a)^2 < r^2 (a.a),  and, unless it is without end, |d.a| < (length / 2) |a|
+///     box:       |d_i| < size_i / 2
 ///
 /// Later shapes overwrite earlier ones. No communication.
 LabelVolume make_shapes(const base::Communicator& communicator,

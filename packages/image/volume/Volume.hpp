@@ -86,6 +86,6 @@ std::string name_of_voxel(const IntensityVolume& volume, std::int64_t voxel);
 /// wherever it lies) T: std::uint8_t, std::int32_t, std::int64_t, float or double.
 template <class T>
 std::vector<T> extract(const base::Communicator& communicator, const Volume<T>& volume,
-                       const Box& box);
+                       const Box& wanted);
 
 }  // namespace stroma::image

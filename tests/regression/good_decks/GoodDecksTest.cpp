@@ -5,11 +5,9 @@
 /// whatever the specimen looks like. No stored results: the laws are
 ///
 /// - the supports' forces balance at every step;
-/// - the work of the moving support is the energy stored (trapezoidal rule, error of order
-/// 1/steps^2);
+/// - the work of the moving support is the energy stored (trapezoidal rule, error of order 1/steps^2);
 /// - the materials' volumes at load 0 fill the box;
-/// - the energy lies between bounds: a homogeneous strain is an admissible field, so the energy is
-/// at
+/// - the energy lies between bounds: a homogeneous strain is an admissible field, so the energy is at
 ///   most its energy (Voigt); the softer material alone, with faces free to slide, stores less.
 
 #include <gtest/gtest.h>

@@ -213,8 +213,7 @@ TEST(DeckFile, WhatCannotBeReadIsAnInputError) {
             "cannot read the deck '" + folder.path().string() + "': it is a folder");
   EXPECT_EQ(message("/dev/null"),
             "cannot tell the format of the deck '/dev/null' by its name's ending; admissible: "
-            ".xml, .yaml "
-            "or .yml");
+            ".xml, .yaml or .yml");
   const std::string empty = folder.write("empty.xml", "");
   EXPECT_EQ(message(empty),
             "1 mistake in " + empty + "\nline 1: not well-formed XML: no element found");

@@ -98,8 +98,7 @@ TEST(YamlDeck, ListsAndScalarsAreNotInterchangeable) {
             "admissible: 3 numbers, each > 0");
   EXPECT_EQ(one("[2.1, 2.1, 2]", "{2, 1, 3}"),
             "line 14, Grid|Element Size [um]: is a parameter, not a section (in YAML a list is "
-            "written [a, b]); "
-            "admissible: 3 numbers, each > 0");
+            "written [a, b]); admissible: 3 numbers, each > 0");
   EXPECT_EQ(
       one("520.8", "[520.8]"),
       "line 7, Materials|collagen|Shear Modulus [Pa]: is a list of 1; admissible: a number > 0");

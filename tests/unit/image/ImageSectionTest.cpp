@@ -114,9 +114,11 @@ TEST(ImageSection, FindsMistakesBetweenParameters) {
   expect_mistake(phantom + "      Kind: Uniform\n      Seed: 3\n", "needs Kind = Vessels");
   expect_mistake(phantom + "      Kind: Shapes\n", "required with Kind = Shapes");
   expect_mistake(phantom +
-                     "      Kind: Shapes\n      Shapes:\n        a:\n          Kind: Ball\n        "
-                     "  Center [um]: "
-                     "[1.0, 1.0, 1.0]\n",
+                     "      Kind: Shapes\n"
+                     "      Shapes:\n"
+                     "        a:\n"
+                     "          Kind: Ball\n"
+                     "          Center [um]: [1.0, 1.0, 1.0]\n",
                  "required for a ball");
   expect_mistake(phantom + "      Kind: Uniform\n    Dataset: raw\n", "a phantom has none");
 }

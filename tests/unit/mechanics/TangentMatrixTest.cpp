@@ -18,8 +18,7 @@ using test::Specimen;
 base::Communicator world() { return base::Communicator::world(); }
 
 /// Two materials, empty space in a corner, and faces that hold some components only, one of them by
-/// springs; as a block, or
-/// as a slice in plane strain, whose upper and lower nodes are one.
+/// springs; as a block, or as a slice in plane strain, whose upper and lower nodes are one.
 Specimen mixed_specimen(bool slice) {
   Specimen specimen;
   specimen.elements = {5, 4, 6};
