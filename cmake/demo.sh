@@ -10,7 +10,7 @@ build=$project/build
 case ${1:-} in
   "") ;;
   --build) mkdir -p "$2"; build=$(cd "$2" && pwd) ;;
-  *) sed -n '2,5s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '3,6s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 bash "$project/cmake/install_dependencies.sh" demo

@@ -14,7 +14,7 @@
 # Prints the time of each part and the number of tests. Mounts go away at the end, the root stays: rm -r removes it.
 set -euo pipefail
 project=$(cd "$(dirname "$0")/.." && pwd)
-usage() { sed -n '2,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '3,14s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 suite=${1:-}
 [[ $suite =~ ^(bookworm|trixie|sid)$ ]] || usage
 shift
