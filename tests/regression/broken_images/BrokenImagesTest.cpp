@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "broken or truncated HDF5"},
         BrokenImage{"unknown_format", "image.xyz", [] { return std::string("hello"); }, "",
                     "admissible: TIFF"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& image) { return image.param.name; });
 
 // Each rank opens HDF5 files itself: none waits for one that has given up.
 TEST(BrokenHdf5, EndsAlikeOnTwoRanks) {

@@ -173,8 +173,9 @@ TEST(Pieces, AnIdlePieceMovesWithItsCondition) {
     u.putScalar(7.0);
     balance->supports().impose(0.5, u);
     test::for_each_unknown(balance->halo(), u, [](const grid::Index3& node, int c, double value) {
-      if (node[0] >= 3 && node[1] >= 3 && node[2] >= 3)
+      if (node[0] >= 3 && node[1] >= 3 && node[2] >= 3) {
         EXPECT_NEAR(value, c == 1 ? 0.5 * 0.1 * 8.4 : 0.0, 1e-15);
+      }
     });
   }
 }

@@ -114,7 +114,9 @@ TYPED_TEST(ShapeFunctionsOf, SumToOneAndReproduceLinearFields) {
       double nodal = 0.4;
       for (int d = 0; d < this->directions; ++d)
         nodal += slope[d] * place[static_cast<std::size_t>(d)];
-      if (is_inside) EXPECT_GE(s.N[a], -1e-15);
+      if (is_inside) {
+        EXPECT_GE(s.N[a], -1e-15);
+      }
       sum += s.N[a];
       value += s.N[a] * nodal;
       for (int d = 0; d < 3; ++d) gradient[d] += s.gradient[d][a] * nodal;
