@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
   stroma::base::let_writes_fail();
   const auto communicator = stroma::base::Communicator::world();
   const auto fail = [&](ExitStatus status, const std::string& message) {
-    if (communicator.is_root()) std::cerr << "stroma: " << message << std::endl;
+    if (communicator.is_root()) std::cerr << "stroma: " << message << "\n";
     return static_cast<int>(status);
   };
   try {
@@ -207,7 +207,7 @@ int main(int argc, char** argv) {
     std::cerr << "stroma: rank " << communicator.rank() << ": "
               << (stroma::base::is_out_of_memory(error) ? stroma::base::out_of_memory
                                                         : error.what())
-              << std::endl;
+              << "\n";
     if (communicator.size() > 1)
       MPI_Abort(communicator.raw(), static_cast<int>(ExitStatus::run_failed));
     return static_cast<int>(ExitStatus::run_failed);
