@@ -3,9 +3,10 @@
 # What can be checked without running the program.
 #
 #   cmake/lint.sh text             formatting, spelling, links of the pages, licence lines: seconds
-#   cmake/lint.sh tidy [BUILD]     clang-tidy over BUILD/compile_commands.json (default: build/release, configured if it
-#                                  is not): minutes, but what has not changed since it passed is not looked at again
-#   cmake/lint.sh                  both
+#   cmake/lint.sh tidy             clang-tidy over the sources of packages/ and src/: minutes, but what has not changed since it
+#                                  passed is not looked at again. Takes build/release, and configures it if it is not
+#   cmake/lint.sh tidy-headers     the same over a few sources that include all headers between them
+#   cmake/lint.sh                  text and tidy
 #   cmake/lint.sh format           formats the sources in place
 #
 # `cmake/install_dependencies.sh lint` installs what is needed. CLANG_FORMAT and CLANG_TIDY name other programs: clang-format has to
@@ -41,17 +42,18 @@ text() {
   done
   return $failed
 }
-tidy() {
-  local build=${1:-build/release}
+tidy() { # tidy OPTION...
+  local build=build/release
   need "$CLANG_TIDY" "$debian; elsewhere CLANG_TIDY=..."
   [[ -f $build/compile_commands.json ]] || cmake --preset release -B "$build" -D STROMA_TESTS=ON >/dev/null
-  python3 cmake/lint/tidy.py "$build"
+  python3 cmake/lint/tidy.py "$build" "$@"
 }
 
 case ${1:-all} in
   text) text ;;
-  tidy) tidy "${@:2}" ;;
+  tidy) tidy ;;
+  tidy-headers) tidy --headers ;;
   all) text && tidy ;;
   format) format -i ;;
-  *) sed -n '3,14s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '3,15s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
