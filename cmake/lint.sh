@@ -37,6 +37,7 @@ spelling() {
 text() {
   local failed=0
   for check in "format --dry-run --Werror" spelling "python3 cmake/lint/links.py" "python3 cmake/check_claims.py" \
+    "python3 cmake/check_equations.py" \
     "python3 cmake/lint/licence_lines.py"; do
     $check || { failed=1; echo "lint.sh: FAILED: $check" >&2; }
   done
