@@ -9,6 +9,7 @@
 
 #include <Teuchos_RCP.hpp>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,29 @@ class Section {
   template <class V>
   Section& optional(std::string name, V T::*member, Admissible admissible, std::string meaning) {
     return parameter(std::move(name), member, std::move(admissible), std::move(meaning), false);
+  }
+
+  /// A parameter that is kept under its name in a map, where the deck gives it.
+  template <class V>
+  Section& optional(const std::string& name, std::map<std::string, V> T::*member,
+                    Admissible admissible, std::string meaning) {
+    refuse_second(name);
+    ParameterDeclaration entry;
+    entry.name = name;
+    entry.type = detail::value_type<V>();
+    entry.admissible = std::move(admissible);
+    entry.meaning = std::move(meaning);
+    entry.store = [member, name](void* values, const Value& value) {
+      (of(values).*member)[name] = detail::from_value<V>(value);
+    };
+    entry.fetch = [member, name](const void* values) -> std::optional<Value> {
+      const std::map<std::string, V>& given = of(values).*member;
+      const auto found = given.find(name);
+      if (found == given.end()) return std::nullopt;
+      return detail::to_value(found->second);
+    };
+    declaration_.parameters.push_back(std::move(entry));
+    return *this;
   }
 
   /// A string in the deck, a value of an enum E in the struct.

@@ -75,23 +75,23 @@ std::vector<Weighted> weighted(const std::vector<Phase>& phases, Modulus modulus
   for (const Phase& phase : phases) total += phase.share;
   std::vector<Weighted> result;
   for (const Phase& phase : phases)
-    if (phase.share > 0.0) result.push_back({phase.share / total, modulus(phase.law)});
+    if (phase.share > 0.0) result.push_back({phase.share / total, modulus(phase.moduli)});
   return result;
 }
 
-double shear_modulus_of(const NeoHookean& law) { return law.shear_modulus; }
+double shear_modulus_of(const SmallStrainModuli& moduli) { return moduli.shear; }
 
 }  // namespace
 
 MixtureBounds bounds_in_space(const std::vector<Phase>& phases) {
-  return bounds_of(weighted(phases, [](const NeoHookean& law) { return law.bulk_modulus; }),
+  return bounds_of(weighted(phases, [](const SmallStrainModuli& moduli) { return moduli.bulk; }),
                    weighted(phases, shear_modulus_of), space);
 }
 
 MixtureBounds bounds_in_plane_strain(const std::vector<Phase>& phases) {
   return bounds_of(
       weighted(phases,
-               [](const NeoHookean& law) { return law.bulk_modulus + law.shear_modulus / 3.0; }),
+               [](const SmallStrainModuli& moduli) { return moduli.bulk + moduli.shear / 3.0; }),
       weighted(phases, shear_modulus_of), plane);
 }
 

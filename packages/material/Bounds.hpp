@@ -7,14 +7,14 @@
 
 #include <vector>
 
-#include "stroma/material/NeoHookean.hpp"
+#include "stroma/material/Law.hpp"
 
 namespace stroma::material {
 
 /// One material of a mixture.
 struct Phase {
-  double share;    ///< of the volume, in any unit: f_i = share_i / (sum of all shares); >= 0
-  NeoHookean law;  ///< K_i and mu_i of small strain [Pa]
+  double share;  ///< of the volume, in any unit: f_i = share_i / (sum of all shares); >= 0
+  SmallStrainModuli moduli;  ///< K_i and mu_i [Pa]
 };
 
 /// Reuss <= Hashin-Shtrikman lower <= effective modulus <= Hashin-Shtrikman upper <= Voigt [Pa].

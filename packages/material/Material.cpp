@@ -3,24 +3,123 @@
 #include "stroma/material/Material.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
+#include "stroma/base/Log.hpp"
+#include "stroma/material/Models.hpp"
+
 namespace stroma::material {
+namespace {
+
+const Model& model_of(const MaterialParameters& material) {
+  return models()[static_cast<std::size_t>(material.model)];
+}
+
+/// One declaration of each number, whichever models have it.
+struct SharedNumber {
+  std::string name, models, meaning;
+  Range admissible;
+};
+
+std::vector<SharedNumber> shared_numbers() {
+  std::vector<SharedNumber> all;
+  for (const Model& model : models())
+    for (const ModelNumber& number : model.numbers) {
+      const auto same = std::find_if(all.begin(), all.end(), [&](const SharedNumber& other) {
+        return other.name == number.name;
+      });
+      if (same == all.end()) {
+        all.push_back({number.name, model.name, number.meaning, number.admissible});
+        continue;
+      }
+      same->models += ", " + model.name;
+      if (same->meaning.find(number.meaning) == std::string::npos)
+        same->meaning += " " + model.name + ": " + number.meaning;
+      if (!(same->admissible == number.admissible)) same->admissible = Range::any();
+    }
+  return all;
+}
+
+std::string described(const Range& range) {
+  if (range == Range::any()) return "any finite number";
+  if (std::isinf(range.upper)) return base::format("a number > %g", range.lower);
+  return base::format("a number > %g and < %g", range.lower, range.upper);
+}
+
+deck::Admissible admissible(const Range& range) {
+  return range == Range::positive() ? deck::positive()
+         : range == Range::any()    ? deck::any()
+                                    : deck::strictly_between(range.lower, range.upper);
+}
+
+void declare_model(deck::Section<MaterialParameters>& material) {
+  std::vector<std::pair<std::string, int>> names;
+  std::string meaning;
+  for (const Model& model : models()) {
+    names.emplace_back(model.name, static_cast<int>(names.size()));
+    meaning += (meaning.empty() ? "" : ". ") + model.name + ": " + model.meaning;
+  }
+  material.choice("Model", &MaterialParameters::model, names,
+                  meaning + ". Ibar1, Ibar2: invariants of J^(-2/3) C.");
+  for (const SharedNumber& number : shared_numbers())
+    material.optional(number.name, &MaterialParameters::numbers, admissible(number.admissible),
+                      "Of " + number.models + ". " + number.meaning);
+  material.optional(poisson_ratio_name, &MaterialParameters::numbers,
+                    deck::strictly_between(-1.0, 0.5),
+                    "Poisson's ratio nu of small strain, in place of a model's Bulk Modulus [Pa] "
+                    "or Lame Modulus [Pa].");
+}
+
+/// What a model makes of the numbers that a material gives.
+void check_numbers(const MaterialParameters& p, deck::Findings& findings) {
+  const Model& model = model_of(p);
+  bool is_complete = true;
+  for (const auto& [name, value] : p.numbers)
+    if (!model.takes(name))
+      findings.add(name,
+                   "is no parameter of Model = " + model.name + "; admissible: " + model.listing());
+  const bool has_ratio = p.numbers.count(poisson_ratio_name) > 0;
+  for (const ModelNumber& number : model.numbers) {
+    const auto given = p.numbers.find(number.name);
+    const bool is_given = given != p.numbers.end();
+    if (is_given && number.or_poisson_ratio && has_ratio)
+      findings.add(number.name,
+                   std::string("given beside \"") + poisson_ratio_name + "\"; give one of the two");
+    if (!is_given && !(number.or_poisson_ratio && has_ratio)) {
+      is_complete = false;
+      findings.add(number.or_poisson_ratio ? poisson_ratio_name : number.name,
+                   number.or_poisson_ratio
+                       ? "missing; give it, or \"" + number.name + "\""
+                       : "missing; Model = " + model.name + " takes " + model.listing());
+    }
+    if (is_given &&
+        !(given->second > number.admissible.lower && given->second < number.admissible.upper))
+      findings.add(number.name,
+                   base::format("%g; admissible: ", given->second) + described(number.admissible));
+  }
+  if (!model.has_volumetric_energy && p.volumetric_energy != VolumetricEnergy::logarithmic)
+    findings.add("Volumetric Energy", "Model = " + model.name + " has its own energy of volume");
+  if (!is_complete) return;
+  const SmallStrainModuli moduli = model.law(p).small_strain();
+  const auto refuse = [&](const char* which, double modulus) {
+    if (!(modulus > 0.0))
+      findings.add(model.numbers.front().name,
+                   base::format("in small strain the material's %s modulus is %g Pa; admissible: "
+                                "numbers that make it > 0",
+                                which, modulus));
+  };
+  refuse("shear", moduli.shear);
+  refuse("bulk", moduli.bulk);
+}
+
+}  // namespace
 
 deck::Section<MaterialsParameters> materials_section() {
   deck::Section<MaterialParameters> material("NAME", "One material; NAME is the user's.");
   material.required("Label", &MaterialParameters::label, deck::at_least(0),
                     "The label of the segmented image that is made of this material.");
-  material.choice("Model", &MaterialParameters::model, {{"Neo-Hookean", Model::neo_hookean}},
-                  "Neo-Hookean: W = mu/2 (J^(-2/3) tr C - 3) + U(J).");
-  material.required("Shear Modulus [Pa]", &MaterialParameters::shear_modulus, deck::positive(),
-                    "Shear modulus mu.");
-  material.optional(
-      "Poisson Ratio", &MaterialParameters::poisson_ratio, deck::strictly_between(-1.0, 0.5),
-      "Poisson's ratio of small strain; K = 2 mu (1 + nu) / (3 (1 - 2 nu)). Either this or "
-      "Bulk Modulus [Pa].");
-  material.optional("Bulk Modulus [Pa]", &MaterialParameters::bulk_modulus, deck::positive(),
-                    "Bulk modulus K, instead of Poisson Ratio.");
+  declare_model(material);
   material.choice(
       "Volumetric Energy", &MaterialParameters::volumetric_energy,
       {{"Logarithmic", VolumetricEnergy::logarithmic}, {"Quadratic", VolumetricEnergy::quadratic}},
@@ -29,12 +128,7 @@ deck::Section<MaterialsParameters> materials_section() {
   material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
                     "Mass density, for forces per mass and for Deformation Gradient = Projected "
                     "Displacement; there, materials without it count as equally dense.");
-  material.check([](const MaterialParameters& p, deck::Findings& findings) {
-    if (p.poisson_ratio && p.bulk_modulus)
-      findings.add("Bulk Modulus [Pa]", "given beside \"Poisson Ratio\"; give one of the two");
-    if (!p.poisson_ratio && !p.bulk_modulus)
-      findings.add("Poisson Ratio", "missing; give it, or \"Bulk Modulus [Pa]\"");
-  });
+  material.check(check_numbers);
 
   deck::Section<MaterialsParameters> section("Materials",
                                              "One sublist for each material, named by the user.");
@@ -52,29 +146,20 @@ deck::Section<MaterialsParameters> materials_section() {
   return section;
 }
 
-double bulk_modulus(double shear_modulus, double poisson_ratio) {
-  return 2.0 * shear_modulus * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio));
-}
-
 double largest_poisson_ratio(const NamedMaterials& materials) {
   double largest = -1.0;
   for (const auto& [name, m] : materials) {
-    const double K = m.bulk_modulus.value_or(0.0), mu = m.shear_modulus;
-    const double nu = m.poisson_ratio.value_or((3.0 * K - 2.0 * mu) / (2.0 * (3.0 * K + mu)));
-    largest = std::max(largest, nu);
+    const auto given = m.numbers.find(poisson_ratio_name);
+    largest = std::max(largest, given != m.numbers.end()
+                                    ? given->second
+                                    : model_of(m).law(m).small_strain().poisson_ratio());
   }
   return largest;
 }
 
-std::vector<NeoHookean> laws(const NamedMaterials& materials) {
-  std::vector<NeoHookean> laws;
-  for (const auto& named : materials) {
-    const MaterialParameters& p = named.second;
-    laws.push_back(
-        {p.shear_modulus,
-         p.bulk_modulus ? *p.bulk_modulus : bulk_modulus(p.shear_modulus, *p.poisson_ratio),
-         p.volumetric_energy});
-  }
+std::vector<AnyLaw> laws(const NamedMaterials& materials) {
+  std::vector<AnyLaw> laws;
+  for (const auto& named : materials) laws.push_back(model_of(named.second).law(named.second));
   return laws;
 }
 

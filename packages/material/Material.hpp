@@ -13,18 +13,16 @@
 #include <vector>
 
 #include "stroma/deck/Section.hpp"
-#include "stroma/material/NeoHookean.hpp"
+#include "stroma/material/AnyLaw.hpp"
 
 namespace stroma::material {
 
-enum class Model { neo_hookean };
-
 struct MaterialParameters {
   int label = 0;
-  Model model = Model::neo_hookean;
-  double shear_modulus = 0.0;           ///< mu [Pa], > 0
-  std::optional<double> poisson_ratio;  ///< nu, in (-1, 1/2); either this
-  std::optional<double> bulk_modulus;   ///< or K [Pa], > 0
+  int model = 0;  ///< place in the list of laws
+  /// The model's numbers by their names in the deck, as far as it gives them. Of "Poisson Ratio"
+  /// and the modulus that it stands for there is one.
+  std::map<std::string, double> numbers;
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
 };
@@ -38,15 +36,11 @@ struct MaterialsParameters {
 
 deck::Section<MaterialsParameters> materials_section();
 
-/// K = 2 mu (1 + nu) / (3 (1 - 2 nu))  [Pa].
-double bulk_modulus(double shear_modulus, double poisson_ratio);
-
-/// The largest Poisson ratio of the materials, of at least one: as given, or (3 K - 2 mu) / (2 (3 K
-/// + mu)).
+/// The largest Poisson ratio of the materials in small strain, of at least one.
 double largest_poisson_ratio(const NamedMaterials& materials);
 
 /// The law of each material, by index.
-std::vector<NeoHookean> laws(const NamedMaterials& materials);
+std::vector<AnyLaw> laws(const NamedMaterials& materials);
 
 /// The index of the material of each label.
 std::map<std::int32_t, int> material_of_label(const NamedMaterials& materials);

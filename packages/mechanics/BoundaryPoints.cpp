@@ -139,8 +139,8 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
 
 double stiffest_modulus(const Problem& problem) {
   double stiffest = 0.0;
-  for (const material::NeoHookean& law : problem.laws)
-    stiffest = std::max(stiffest, law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus);
+  for (const material::SmallStrainModuli& moduli : problem.laws.moduli)
+    stiffest = std::max(stiffest, moduli.uniaxial_strain());
   return stiffest;
 }
 

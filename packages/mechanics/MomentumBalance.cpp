@@ -102,10 +102,10 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     : communicator_(communicator),
       problem_(problem),
       kernels_(kernels_for(problem.shape_functions, partition.grid().flat)),
+      stress_(problem.laws.kernels(problem.shape_functions, partition.grid().flat)),
       halo_(communicator, partition),
       particles_(particles),
       box_(element_box(partition, communicator.rank())),
-      law_(grid::to_device("law", problem.laws)),
       density_(grid::to_device("density", problem.density.empty()
                                               ? std::vector<double>(problem.laws.size(), 1.0)
                                               : problem.density)),
@@ -127,8 +127,8 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
 
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
                                  const grid::Partition& partition,
-                                 const particles::Particles<Device>& particles,
-                                 const std::vector<Law>& laws, const NamedConditions& conditions)
+                                 const particles::Particles<Device>& particles, const Laws& laws,
+                                 const NamedConditions& conditions)
     : MomentumBalance(communicator, partition, particles,
                       Problem{partition.grid(), laws, conditions, {}, {}, {}}) {}
 
@@ -274,7 +274,7 @@ MomentumBalance::Points MomentumBalance::points(const grid::Vector& u) const {
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {
   const base::Stage stage("internal force");
-  const std::int64_t bad = kernels_->internal_force(points(u), law_, halo_.contributions());
+  const std::int64_t bad = stress_->internal_force(points(u), halo_.contributions());
   halo_.sum_to_owner(force);
   return communicator_.sum(bad);
 }
@@ -283,7 +283,7 @@ std::int64_t MomentumBalance::unbalanced_force(const grid::Vector& u, grid::Vect
   const base::Stage stage("internal force");
   const Points at_u = points(u);
   const grid::NodeView sum = halo_.contributions();
-  const std::int64_t bad = kernels_->internal_force(at_u, law_, sum);
+  const std::int64_t bad = stress_->internal_force(at_u, sum);
   if (!boundary_.empty()) kernels_->spring_force(at_u, boundary_, load_, sum);
   halo_.sum_to_owner(force);
   if (external_force_ != Teuchos::null) force.update(-load_, *external_force_, 1.0);
@@ -329,7 +329,7 @@ std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
   const auto assemble = [&](auto& matrix) {
     const Points at_u = points(u);
     const auto rows = matrix.begin();
-    bad = kernels_->tangent(at_u, law_, rows);
+    bad = stress_->tangent(at_u, rows);
     if (!boundary_.empty()) kernels_->spring_tangent(at_u, boundary_, rows);
     matrix.finish();
   };
@@ -361,7 +361,7 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
   at_u.displacement = displacement;
   const grid::ConstNodeView direction = halo_.gather(v);
   const grid::NodeView sum = halo_.contributions();
-  kernels_->tangent_times(at_u, law_, direction, sum);
+  stress_->tangent_times(at_u, direction, sum);
   if (!boundary_.empty()) kernels_->spring_tangent_times(at_u, boundary_, direction, sum);
   halo_.sum_to_owner(product);
 }
@@ -478,13 +478,13 @@ transfer::ParticleFields<grid::Device> MomentumBalance::particle_fields(
     const grid::Vector& u) const {
   const base::Stage stage("grid to particles");
   transfer::ParticleFields<Device> fields(particles_.count());
-  kernels_->particle_fields(points(u), law_, fields);
+  stress_->particle_fields(points(u), fields);
   return fields;
 }
 
 std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field_layers(
     const grid::Vector& u) const {
-  return [kernels = kernels_, at_u = points(u), law = law_](const FieldVisitor& visit) {
+  return [stress = stress_, at_u = points(u)](const FieldVisitor& visit) {
     const base::Stage stage("grid to particles");
     const transfer::ElementBox& box = at_u.box;
     const auto element_begin =
@@ -494,7 +494,7 @@ std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field
       const int count = element_begin(box.element(0, 0, k + 1)) - first;
       if (count == 0) continue;
       const transfer::ParticleFields<Device> fields(count);
-      kernels->layer_fields(at_u, law, k, first, fields);
+      stress->layer_fields(at_u, k, first, fields);
       visit(first, fields);
     }
   };
@@ -507,8 +507,8 @@ double MomentumBalance::largest_strain(const grid::Vector& u) const {
   field_layers(u)([&](int first, const transfer::ParticleFields<Device>& fields) {
     const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
     for (std::size_t p = 0; p < stress.extent(0); ++p) {
-      const Law& law = problem_.laws[material(static_cast<std::size_t>(first) + p)];
-      const double modulus = law.bulk_modulus + 4.0 / 3.0 * law.shear_modulus;
+      const double modulus =
+          problem_.laws.moduli[material(static_cast<std::size_t>(first) + p)].uniaxial_strain();
       for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(stress(p, c)) / modulus);
     }
   });

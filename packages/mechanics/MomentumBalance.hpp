@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "stroma/grid/Halo.hpp"
-#include "stroma/material/NeoHookean.hpp"
 #include "stroma/mechanics/Problem.hpp"
 #include "stroma/mechanics/Supports.hpp"
 #include "stroma/mechanics/kernels/ShapeKernels.hpp"
@@ -52,7 +51,6 @@ enum class TangentForm { compressed_rows, stencil };
 class MomentumBalance {
  public:
   using Device = grid::Device;
-  using Law = material::NeoHookean;
 
   /// \param communicator         of the ranks that share the body
   /// \param partition            which elements and nodes are whose
@@ -66,7 +64,7 @@ class MomentumBalance {
                   double base_load = 0.0, bool is_refused_if_loose = true);
   /// A body without external forces on a grid that is not reset.
   MomentumBalance(const base::Communicator& communicator, const grid::Partition& partition,
-                  const particles::Particles<Device>& particles, const std::vector<Law>& laws,
+                  const particles::Particles<Device>& particles, const Laws& laws,
                   const NamedConditions& conditions);
   MomentumBalance(const MomentumBalance&) = delete;
   MomentumBalance& operator=(const MomentumBalance&) = delete;
@@ -173,10 +171,10 @@ class MomentumBalance {
   base::Communicator communicator_;
   Problem problem_;
   std::shared_ptr<const ShapeKernels> kernels_;
+  std::shared_ptr<const StressKernels> stress_;
   grid::Halo halo_;
   particles::Particles<Device> particles_;
   transfer::ElementBox box_;
-  Kokkos::View<const Law*, Device> law_;
   Kokkos::View<const double*, Device> density_;  // of each material
   Kokkos::View<const float*, Device> fictitious_volume_;
   transfer::BoundaryPointSet<Device> boundary_;

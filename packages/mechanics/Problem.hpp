@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "stroma/grid/GridSection.hpp"
-#include "stroma/material/NeoHookean.hpp"
 #include "stroma/mechanics/BoundaryConditions.hpp"
 #include "stroma/mechanics/ExternalForces.hpp"
+#include "stroma/mechanics/Laws.hpp"
 
 namespace stroma::mechanics {
 
 /// Everything about a run that does not change with the load.
 struct Problem {
-  grid::Grid body;                         ///< the grid at load 0; it fills the body's box
-  std::vector<material::NeoHookean> laws;  ///< of each material
+  grid::Grid body;  ///< the grid at load 0; it fills the body's box
+  Laws laws;        ///< of each material
   NamedConditions conditions;
   NamedForces forces;
   /// Besides, a force per reference volume [pN/um^3] at full load that depends on where a particle

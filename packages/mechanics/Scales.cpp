@@ -63,8 +63,8 @@ Range displacements(const BoundaryCondition& condition, const grid::Grid& body) 
 void check_scales(const Problem& problem) {
   const grid::Grid& body = problem.body;
   Range moduli, lengths, densities;
-  for (const material::NeoHookean& law : problem.laws)
-    for (const double modulus : {law.shear_modulus, law.bulk_modulus}) moduli.add(modulus);
+  for (const material::SmallStrainModuli& material : problem.laws.moduli)
+    for (const double modulus : {material.shear, material.bulk}) moduli.add(modulus);
   for (int d = 0; d < 3; ++d) {
     lengths.add(body.spacing[static_cast<std::size_t>(d)]);
     lengths.add(body.length(d));

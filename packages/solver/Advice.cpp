@@ -14,10 +14,10 @@ namespace {
 
 /// Of the shear moduli of the particles, on all ranks.
 double contrast(const mechanics::MomentumBalance& balance) {
-  const std::vector<material::NeoHookean>& laws = balance.problem().laws;
-  const Kokkos::View<double*, grid::Device> shear_modulus("shear moduli", laws.size());
+  const std::vector<material::SmallStrainModuli>& moduli = balance.problem().laws.moduli;
+  const Kokkos::View<double*, grid::Device> shear_modulus("shear moduli", moduli.size());
   const auto on_host = Kokkos::create_mirror_view(shear_modulus);
-  for (std::size_t m = 0; m < laws.size(); ++m) on_host(m) = laws[m].shear_modulus;
+  for (std::size_t m = 0; m < moduli.size(); ++m) on_host(m) = moduli[m].shear;
   Kokkos::deep_copy(shear_modulus, on_host);
   const auto material = balance.particles().material;
   using Extremes = Kokkos::MinMax<double>;

@@ -16,12 +16,12 @@ namespace stroma::transfer {
 using tensor::Tensor3;
 
 /// The number of a point that is no particle.
-constexpr int none_of_them = -1;
+constexpr int no_particle = -1;
 
 /// One particle at the current configuration.
 template <class Shape>
 struct ParticlePoint {
-  int p;                             ///< local number; none_of_them: a fictitious point
+  int p;                             ///< local number; no_particle: a fictitious point
   int material;                      ///< index of its law
   double volume;                     ///< V0 [um^3]
   double value[Shape::nodes];        ///< N_a [-]
@@ -157,7 +157,7 @@ struct ElementParticles : PointSet<Device> {
     double u[3][Shape::nodes];
     gather(displacement, i, j, k, u);
     ParticlePoint<Shape> point;
-    point.p = none_of_them;
+    point.p = no_particle;
     point.material = particles.material(particles.element_begin(element));
     point.volume = static_cast<double>(fictitious_volume(element));
     shape::Place place = place_in(i, j, k);

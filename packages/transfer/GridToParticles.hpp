@@ -28,8 +28,8 @@ struct ParticleFields {
 };
 
 /// Fills ParticleFields, whose entry 0 is the particle `first`: u_p = u_base + sum_I N_I U_I, and
-/// the law at H, with the element's mean dilatation where that is asked for. Each particle is
-/// written by its own element alone: nothing is atomic.
+/// the law at H, its energy of volume at the element's mean dilatation where that is asked for.
+/// Each particle is written by its own element alone: nothing is atomic.
 template <class Shape, class Law, class Device>
 struct GridToParticles {
   ElementParticles<Shape, Device> elements;
@@ -50,13 +50,20 @@ struct GridToParticles {
         fields.displacement(p - first, c) = sum;
       }
       const Law& material = law(point.material);
-      const Tensor3 H = with_mean_dilatation(elements, mean, point);
-      const Tensor3 sigma = material.cauchy_stress(H);
+      const double log_j = material::log_jacobian(point.H);
+      double jacobian = 1.0 + tensor::det_minus_one(point.H), log_of_volume = log_j;
+      if (mean.holds_for(point)) {
+        log_of_volume = log_mean_jacobian(elements, mean, p);
+        jacobian = exp(log_of_volume);
+      }
+      const Tensor3 sigma =
+          (1.0 / jacobian) *
+          material.kirchhoff_stress(point.H, log_j, material.stress_of_volume(log_of_volume));
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};
       for (int c = 0; c < 6; ++c) fields.stress(p - first, c) = components[c];
-      fields.jacobian(p - first) = 1.0 + tensor::det_minus_one(H);
-      fields.energy(p - first) = material.energy(H);
+      fields.jacobian(p - first) = jacobian;
+      fields.energy(p - first) = material.energy(point.H, material.energy_of_volume(log_of_volume));
     });
   }
 };

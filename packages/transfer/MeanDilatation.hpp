@@ -6,7 +6,7 @@
 /// The change of volume of an element as a whole in place of its particles' own, against locking;
 /// and the loops over points with stress and tangent by the one or the other.
 
-#include "stroma/material/NeoHookean.hpp"
+#include "stroma/material/Law.hpp"
 #include "stroma/transfer/ElementParticles.hpp"
 
 namespace stroma::transfer {
@@ -27,7 +27,7 @@ struct MeanDilatation {
 
   template <class Shape>
   KOKKOS_INLINE_FUNCTION bool holds_for(const ParticlePoint<Shape>& point) const {
-    return is_on && point.p != none_of_them;
+    return is_on && point.p != no_particle;
   }
 };
 
@@ -86,7 +86,7 @@ KOKKOS_FUNCTION MeanPressure mean_pressure(const ElementParticles<Shape, Device>
   const int element = elements.box.element(i, j, k);
   for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
     const material::VolumetricStress stress =
-        law(particles.material(p)).volumetric_stress(log_mean_jacobian(elements, mean, p));
+        law(particles.material(p)).stress_of_volume(log_mean_jacobian(elements, mean, p));
     result.pressure += particles.volume(p) * stress.pressure;
     result.slope += particles.volume(p) * (stress.modulus - stress.pressure);
   }
@@ -112,15 +112,15 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
     const Law& material = law(point.material);
-    const double log_j = Law::log_jacobian(point.H);
+    const double log_j = material::log_jacobian(point.H);
     visit(point,
           material.kirchhoff_stress(point.H, log_j,
                                     mean.holds_for(point) ? share_of(pressure, log_j)
-                                                          : material.volumetric_stress(log_j)));
+                                                          : material.stress_of_volume(log_j)));
   });
 }
 
-/// Calls visit(ParticlePoint, IsotropicTangent) for each point of element (i, j, k): the tangent is
+/// Calls visit(ParticlePoint, Law::Tangent) for each point of element (i, j, k): the tangent is
 /// sum_p V0 grad_x N a grad_x N (6.4). With mean dilatation a last point stands for the element as
 /// a whole: its "gradient" is dtheta/dU and its tangent dP/dtheta alone, so that it adds
 /// dP/dtheta dtheta/dU (x) dtheta/dU.
@@ -133,7 +133,7 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
   ParticlePoint<Shape> whole = {};
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
     const Law& material = law(point.material);
-    const double log_j = Law::log_jacobian(point.H);
+    const double log_j = material::log_jacobian(point.H);
     material::VolumetricStress volume;
     if (mean.holds_for(point)) {
       volume = share_of(pressure, log_j);
@@ -141,14 +141,14 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a) whole.gradient[c][a] += now * point.gradient[c][a];
     } else {
-      volume = material.volumetric_stress(log_j);
+      volume = material.stress_of_volume(log_j);
     }
-    visit(point, material.isotropic_tangent(point.H, log_j, volume));
+    visit(point, material.tangent(point.H, log_j, volume));
   });
   if (!mean.is_on) return;
-  whole.p = none_of_them;
+  whole.p = no_particle;
   whole.volume = 1.0;
-  visit(whole, material::IsotropicTangent{{}, {}, pressure.slope, 0.0});
+  visit(whole, Law::Tangent::of_volume(pressure.slope));
 }
 
 }  // namespace stroma::transfer

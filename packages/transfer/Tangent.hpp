@@ -6,6 +6,7 @@
 /// Particles to grid: the tangent (stiffness) matrix.
 
 #include "stroma/transfer/MeanDilatation.hpp"
+#include "stroma/transfer/TangentBatch.hpp"
 
 namespace stroma::transfer {
 
@@ -59,8 +60,7 @@ struct ElementBlocks {
   static constexpr int n = Shape::nodes;
   static constexpr int w = Shape::width;
   static constexpr int reach = w - 1, side = 2 * reach + 1;
-  static constexpr int lanes = 8;
-  static constexpr int padded = (n + lanes - 1) / lanes * lanes;
+  static constexpr int padded = padded_nodes<Shape>;
 
   Real K[n][3][3][padded] = {};
 
@@ -101,16 +101,10 @@ struct ElementBlocks {
 ///
 ///     K_IiJk = sum_p V0 dN_I/dx_j a_ijkl dN_J/dx_l       [pN/um] = [Pa um]
 ///
-/// with the law's spatial tangent a (material and geometric part). For an isotropic a, given by the
-/// few numbers of material::IsotropicTangent, each particle's block is a sum of dyads of vectors,
-///
-///     K_ab = p_a (x) g_b + g_a (x) q_b + sym g_b (x) g_a + (g_a . t_b) I,      g = grad_x N,
-///     p = V0 (vol g - 2/3 s g),   q = -2/3 V0 s g,   t = V0 (sym g + tau g),   sym *= V0,
-///
-/// which takes 33 multiplications where the general contraction takes 54 and a table of 81 moduli.
-/// Particles are collected eight at a time; then the sums over them stay in registers while the
-/// inner loops run over eight nodes b and vectorise. Launch with for_each_element(): no atomics,
-/// the same bit for bit for any number of threads. Source: docs/theory.md, eq. (4.4).
+/// with the law's spatial tangent a (material and geometric part). Points are collected a few at a
+/// time (TangentBatch); then the sums over them stay in registers while the inner loops run over
+/// eight nodes b and vectorise. Launch with for_each_element(): no atomics, the same bit for bit
+/// for any number of threads. Source: docs/theory.md, eq. (4.4).
 ///
 /// \tparam Rows  where blocks go: BlockRows or StencilRows; also says in which precision they are
 ///              summed
@@ -136,73 +130,7 @@ struct Tangent {
 
  private:
   using Blocks = ElementBlocks<Shape, Rows>;
-  using Real = typename Blocks::Real;
-  static constexpr int n = Blocks::n, lanes = Blocks::lanes, padded = Blocks::padded;
-
-  /// The vectors of a few particles, (particle, component, node).
-  struct Batch {
-    static constexpr int size = 8;
-    int count = 0;
-    Real g[size][3][padded], p[size][3][padded], q[size][3][padded], t[size][3][padded];
-    Real symmetric[size];
-
-    KOKKOS_INLINE_FUNCTION void add(const ParticlePoint<Shape>& point,
-                                    const material::IsotropicTangent& a) {
-      const int m = count++;
-      const auto volume = static_cast<Real>(point.volume);
-      const auto vol = static_cast<Real>(a.volumetric), sym = static_cast<Real>(a.symmetric);
-      symmetric[m] = volume * sym;
-      for (int c = 0; c < 3; ++c) {
-        for (int b = 0; b < n; ++b) g[m][c][b] = static_cast<Real>(point.gradient[c][b]);
-        for (int b = n; b < padded; ++b) g[m][c][b] = 0;
-      }
-      for (int c = 0; c < 3; ++c) {
-        Real s[3], tau[3];
-        for (int d = 0; d < 3; ++d) {
-          s[d] = static_cast<Real>(-2.0 / 3.0 * a.s(c, d));
-          tau[d] = static_cast<Real>(a.tau(c, d));
-        }
-        for (int b = 0; b < padded; ++b) {
-          const Real sg = s[0] * g[m][0][b] + s[1] * g[m][1][b] + s[2] * g[m][2][b];
-          const Real tau_g = tau[0] * g[m][0][b] + tau[1] * g[m][1][b] + tau[2] * g[m][2][b];
-          p[m][c][b] = volume * (vol * g[m][c][b] + sg);
-          q[m][c][b] = volume * sg;
-          t[m][c][b] = volume * (sym * g[m][c][b] + tau_g);
-        }
-      }
-    }
-
-    /// K += the blocks of the particles collected, which are then forgotten.
-    KOKKOS_INLINE_FUNCTION void add_blocks(Real (&K)[n][3][3][padded]) {
-      for (int a = 0; a < n; ++a)
-        for (int first = 0; first < padded; first += lanes) {
-          Real sum[3][3][lanes];
-          for (int c = 0; c < 3; ++c)
-            for (int d = 0; d < 3; ++d)
-              for (int b = 0; b < lanes; ++b) sum[c][d][b] = K[a][c][d][first + b];
-          for (int m = 0; m < count; ++m) {
-            Real in_line[lanes];  // g_a . t_b
-            for (int b = 0; b < lanes; ++b)
-              in_line[b] = g[m][0][a] * t[m][0][first + b] + g[m][1][a] * t[m][1][first + b] +
-                           g[m][2][a] * t[m][2][first + b];
-            for (int c = 0; c < 3; ++c) {
-              const Real pa = p[m][c][a], ga = g[m][c][a];
-              for (int d = 0; d < 3; ++d) {
-                const Real across = symmetric[m] * g[m][d][a];
-                for (int b = 0; b < lanes; ++b)
-                  sum[c][d][b] += pa * g[m][d][first + b] + ga * q[m][d][first + b] +
-                                  across * g[m][c][first + b];
-              }
-              for (int b = 0; b < lanes; ++b) sum[c][c][b] += in_line[b];
-            }
-          }
-          for (int c = 0; c < 3; ++c)
-            for (int d = 0; d < 3; ++d)
-              for (int b = 0; b < lanes; ++b) K[a][c][d][first + b] = sum[c][d][b];
-        }
-      count = 0;
-    }
-  };
+  using Batch = TangentBatch<Shape, typename Blocks::Real, typename Law::Tangent>;
 };
 
 }  // namespace stroma::transfer

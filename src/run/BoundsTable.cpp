@@ -30,7 +30,7 @@ std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one)
 std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<double>& shares, bool plane_strain,
                                       bool has_empty_space) {
-  const std::vector<material::NeoHookean> laws = material::laws(materials);
+  const std::vector<material::AnyLaw> laws = material::laws(materials);
   std::vector<material::Phase> phases;
   std::string mixture;
   double total = 0.0;
@@ -38,7 +38,7 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
   std::size_t one = materials.size();  // the material that the gains refer to
   for (std::size_t m = 0; m < materials.size(); ++m) {
     if (!(shares[m] > 0.0)) continue;
-    phases.push_back({shares[m], laws[m]});
+    phases.push_back({shares[m], laws[m].small_strain()});
     mixture += format("%s%.4f %s", mixture.empty() ? "" : " + ", shares[m] / total,
                       materials[m].first.c_str());
     if (one == materials.size() || materials[m].second.label == 0) one = m;
@@ -47,7 +47,8 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
 
   const auto bounds_of =
       plane_strain ? material::bounds_in_plane_strain : material::bounds_in_space;
-  const material::MixtureBounds bounds = bounds_of(phases), alone = bounds_of({{1.0, laws[one]}});
+  const material::MixtureBounds bounds = bounds_of(phases),
+                                alone = bounds_of({{1.0, laws[one].small_strain()}});
   std::vector<std::string> lines{
       format("bounds      of small strain, %s, and gain over %s",
              plane_strain ? "in plane strain" : "in space", materials[one].first.c_str()),

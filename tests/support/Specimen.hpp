@@ -27,6 +27,7 @@ struct Specimen {
   std::function<std::int32_t(const grid::Index3&)> label;  ///< of a voxel; none: all 0
   particles::ParticleParameters layout{particles::Layout::gauss, 1, 2};
   std::vector<material::NeoHookean> laws{{520.8, 2430.4}, {1041.6, 4860.8}};  ///< of labels 0 and 1
+  std::optional<mechanics::Laws> other_laws;  ///< in place of `laws`, for as many labels
   mechanics::NamedConditions conditions;
   bool plane_strain = false;
   bool reset = false;
@@ -100,7 +101,7 @@ struct Specimen {
   mechanics::Problem problem() const {
     mechanics::Problem problem;
     problem.body = grid();
-    problem.laws = laws;
+    problem.laws = other_laws ? *other_laws : mechanics::Laws(laws);
     problem.conditions = conditions;
     problem.forces = forces;
     problem.body_force = body_force;

@@ -9,7 +9,6 @@
 
 #include "stroma/mechanics/kernels/ShapeKernels.hpp"
 #include "stroma/transfer/Advance.hpp"
-#include "stroma/transfer/InternalForce.hpp"
 #include "stroma/transfer/Projection.hpp"
 #include "stroma/transfer/Touch.hpp"
 
@@ -27,31 +26,6 @@ class KernelsOf : public ShapeKernels {
     launch("touch", points,
            transfer::Touch<Shape, Device>{
                {points}, chosen, with_fictitious_points, count, by_particles});
-  }
-  std::int64_t internal_force(const Points& points, const Laws& laws,
-                              const NodeView& force) const override {
-    return launch("internal force", points,
-                  transfer::InternalForce<Shape, Law, Device>{{points}, laws, force});
-  }
-  std::int64_t tangent(const Points& points, const Laws& laws,
-                       const transfer::BlockRows<Device>& rows) const override {
-    return launch(
-        "tangent", points,
-        transfer::Tangent<Shape, Law, Device, transfer::BlockRows<Device>>{{points}, laws, rows});
-  }
-  std::int64_t tangent(const Points& points, const Laws& laws,
-                       const transfer::StencilRows<Device>& rows) const override {
-    if constexpr (Shape::width == 2)
-      return launch("tangent", points,
-                    transfer::Tangent<Shape, Law, Device, transfer::StencilRows<Device>>{
-                        {points}, laws, rows});
-    else
-      throw std::logic_error("a stencil of 27 blocks cannot hold the tangent of wider functions");
-  }
-  void tangent_times(const Points& points, const Laws& laws, const ConstNodeView& direction,
-                     const NodeView& product) const override {
-    launch("tangent times", points,
-           transfer::TangentTimes<Shape, Law, Device>{{points}, laws, direction, product});
   }
   void external_force(const Points& points,
                       const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
@@ -108,17 +82,6 @@ class KernelsOf : public ShapeKernels {
   }
   void advance(const Points& points, const Particles& moved) const override {
     launch("advance", points, transfer::Advance<Shape, Device>{{points}, moved});
-  }
-  void particle_fields(const Points& points, const Laws& laws,
-                       const transfer::ParticleFields<Device>& fields) const override {
-    launch("grid to particles", points,
-           transfer::GridToParticles<Shape, Law, Device>{{points}, laws, fields});
-  }
-  void layer_fields(const Points& points, const Laws& laws, int k, int first,
-                    const transfer::ParticleFields<Device>& fields) const override {
-    transfer::for_each_element_of_layer<grid::ExecutionSpace>(
-        "grid to particles", points.box, k,
-        transfer::GridToParticles<Shape, Law, Device>{{points}, laws, fields, first});
   }
 
  private:

@@ -3,17 +3,15 @@
 #pragma once
 
 /// \file
-/// The transfer kernels of one kind of shape functions, behind one interface: what is compiled once
-/// per kind, and chosen once per run.
+/// The transfer kernels that ask nothing of a law, of one kind of shape functions, behind one
+/// interface: what is compiled once per kind, and chosen once per run.
 
 #include <memory>
 
 #include "stroma/grid/GridSection.hpp"
 #include "stroma/grid/Types.hpp"
-#include "stroma/material/NeoHookean.hpp"
 #include "stroma/transfer/BoundaryPoints.hpp"
 #include "stroma/transfer/ExternalForce.hpp"
-#include "stroma/transfer/GridToParticles.hpp"
 #include "stroma/transfer/StencilRows.hpp"
 #include "stroma/transfer/Tangent.hpp"
 #include "stroma/transfer/Touch.hpp"
@@ -26,8 +24,6 @@ namespace stroma::mechanics {
 class ShapeKernels {
  public:
   using Device = grid::Device;
-  using Law = material::NeoHookean;
-  using Laws = Kokkos::View<const Law*, Device>;
   using Points = transfer::PointSet<Device>;
   using BoundaryPoints = transfer::BoundaryPointSet<Device>;
   using NodeView = grid::NodeView;
@@ -43,18 +39,6 @@ class ShapeKernels {
                      bool with_fictitious_points, const NodeView& count,
                      const transfer::TouchedNodes<Device>& by_particles) const = 0;
 
-  /// transfer::InternalForce; force is added to.
-  virtual std::int64_t internal_force(const Points& points, const Laws& laws,
-                                      const NodeView& force) const = 0;
-  /// transfer::Tangent.
-  virtual std::int64_t tangent(const Points& points, const Laws& laws,
-                               const transfer::BlockRows<Device>& rows) const = 0;
-  /// The same as a stencil of 27 blocks a row: of hats only.
-  virtual std::int64_t tangent(const Points& points, const Laws& laws,
-                               const transfer::StencilRows<Device>& rows) const = 0;
-  /// transfer::TangentTimes; product is added to.
-  virtual void tangent_times(const Points& points, const Laws& laws, const ConstNodeView& direction,
-                             const NodeView& product) const = 0;
   /// transfer::ExternalForce; force is added to.
   virtual void external_force(const Points& points,
                               const Kokkos::View<const transfer::VolumeForce*, Device>& forces,
@@ -86,12 +70,6 @@ class ShapeKernels {
   virtual void add_to_displacement(const Points& points) const = 0;
   /// transfer::Advance: writes position, base displacement and gradient of `moved`.
   virtual void advance(const Points& points, const Particles& moved) const = 0;
-  /// transfer::GridToParticles, of all particles.
-  virtual void particle_fields(const Points& points, const Laws& laws,
-                               const transfer::ParticleFields<Device>& fields) const = 0;
-  /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
-  virtual void layer_fields(const Points& points, const Laws& laws, int k, int first,
-                            const transfer::ParticleFields<Device>& fields) const = 0;
 };
 
 /// The kernels for a choice of shape functions, in space or in plane strain.

@@ -121,7 +121,7 @@ double energy_of_stretch(const material::NeoHookean& law, double e, bool free_x,
     H(0, 0) = free_x ? -narrowing : 0.0;
     H(1, 1) = e;
     H(2, 2) = free_z ? -narrowing : 0.0;
-    least = std::min(least, law.energy(H));
+    least = std::min(least, material::energy(law, H));
   }
   return least;
 }

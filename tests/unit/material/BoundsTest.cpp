@@ -96,7 +96,7 @@ TEST(Bounds, AreTheTextbooksOfTwoPhases) {
 // The paper's slice: vessels twice as stiff in both moduli, 19.3634 % of the area.
 TEST(Bounds, OfThePapersSlice) {
   const double f = 0.193634;
-  const NeoHookean collagen{520.8, 1041.6}, vessel{1041.6, 2083.2};
+  const SmallStrainModuli collagen{520.8, 1041.6}, vessel{1041.6, 2083.2};
   const double k = 1041.6 + 520.8 / 3.0;
   const double one = 4.0 * k * 520.8 / (k + 520.8);  // E' of collagen
   const Bounds stiffness = bounds_in_plane_strain({{1.0 - f, collagen}, {f, vessel}}).young;
@@ -108,7 +108,7 @@ TEST(Bounds, OfThePapersSlice) {
 }
 
 TEST(Bounds, OfOneMaterialAreItsModuli) {
-  const NeoHookean gel{500.0, 7000.0};
+  const SmallStrainModuli gel{500.0, 7000.0};
   for (const auto& phases : {std::vector<Phase>{{3.0, gel}},
                              {{1.0, gel}, {0.0, {5.0, 1e6}}},
                              {{0.3, gel}, {0.7, gel}}}) {
@@ -151,7 +151,7 @@ TEST(Bounds, KeepTheirOrder) {
 
 // A phase may be cut in two, and shares may be volumes in any unit.
 TEST(Bounds, DoNotDependOnHowThePhasesAreListed) {
-  const NeoHookean soft{520.8, 1041.6}, stiff{1041.6, 9000.0}, third{77.0, 3000.0};
+  const SmallStrainModuli soft{520.8, 1041.6}, stiff{1041.6, 9000.0}, third{77.0, 3000.0};
   for (const Mixture bounds_of : both_dimensions) {
     const MixtureBounds one = bounds_of({{0.5, soft}, {0.3, stiff}, {0.2, third}});
     const MixtureBounds other =

@@ -23,20 +23,19 @@ TEST(Material, BulkModulusFollowsFromPoissonRatio) {
 TEST(Material, LawsAndLabelsKeepTheUsersOrder) {
   MaterialParameters collagen, vessel;
   collagen.label = 4;
-  collagen.shear_modulus = 520.8;
-  collagen.poisson_ratio = 0.4;
+  collagen.numbers = {{"Shear Modulus [Pa]", 520.8}, {"Poisson Ratio", 0.4}};
   vessel.label = 0;
-  vessel.shear_modulus = 1041.6;
-  vessel.bulk_modulus = 9000.0;
+  vessel.numbers = {{"Shear Modulus [Pa]", 1041.6}, {"Bulk Modulus [Pa]", 9000.0}};
   vessel.volumetric_energy = VolumetricEnergy::quadratic;
   const NamedMaterials materials{{"collagen", collagen}, {"vessel", vessel}};
   const auto of_material = laws(materials);
   ASSERT_EQ(of_material.size(), 2u);
-  EXPECT_NEAR(of_material[0].bulk_modulus, 2430.4, 1e-10);
-  EXPECT_EQ(of_material[1].bulk_modulus, 9000.0);
-  EXPECT_EQ(of_material[1].shear_modulus, 1041.6);
-  EXPECT_EQ(of_material[0].volumetric_energy, VolumetricEnergy::logarithmic);
-  EXPECT_EQ(of_material[1].volumetric_energy, VolumetricEnergy::quadratic);
+  EXPECT_NEAR(of_material[0].as<NeoHookean>().bulk_modulus, 2430.4, 1e-10);
+  EXPECT_EQ(of_material[1].as<NeoHookean>().bulk_modulus, 9000.0);
+  EXPECT_EQ(of_material[1].as<NeoHookean>().shear_modulus, 1041.6);
+  EXPECT_EQ(of_material[0].as<NeoHookean>().volumetric_energy, VolumetricEnergy::logarithmic);
+  EXPECT_EQ(of_material[1].as<NeoHookean>().volumetric_energy, VolumetricEnergy::quadratic);
+  EXPECT_NEAR(largest_poisson_ratio(materials), 24916.8 / 56083.2, 1e-15);
   const auto index = material_of_label(materials);
   EXPECT_EQ(index.at(4), 0);
   EXPECT_EQ(index.at(0), 1);

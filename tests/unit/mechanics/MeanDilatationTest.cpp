@@ -23,6 +23,7 @@ base::Communicator world() { return base::Communicator::world(); }
 struct Case {
   ShapeFunctions shape_functions;
   bool slice, reset;
+  bool has_other_laws = false;
 };
 
 grid::Vector scattered(const MomentumBalance& balance, int seed, double size) {
@@ -43,6 +44,9 @@ Specimen specimen_of(const Case& c) {
   Specimen specimen;
   specimen.elements = {4, 4, 4};
   specimen.laws = {{520.8, 2430.4}, {1041.6, 9000.0, VolumetricEnergy::quadratic}};
+  if (c.has_other_laws)
+    specimen.other_laws = std::vector<material::AnyLaw>{
+        material::MooneyRivlin{200.0, 60.4, 2430.4}, material::CoupledNeoHookean{1041.6, 9000.0}};
   specimen.label = [](const grid::Index3& voxel) {
     return voxel[0] > 5 && voxel[1] > 4 && voxel[2] > 4 ? -1 : test::crossing_bars(voxel);
   };
@@ -94,14 +98,17 @@ std::vector<Case> cases() {
   for (const auto shape : {ShapeFunctions::linear, ShapeFunctions::gimp, ShapeFunctions::cpdi,
                            ShapeFunctions::quadratic_b_spline, ShapeFunctions::cubic_b_spline})
     for (const bool slice : {false, true})
-      for (const bool reset : {false, true}) all.push_back({shape, slice, reset});
+      for (const bool reset : {false, true})
+        for (const bool has_other_laws : {false, true})
+          all.push_back({shape, slice, reset, has_other_laws});
   return all;
 }
 
 std::string name_of(const ::testing::TestParamInfo<Case>& c) {
   const char* const shapes[] = {"linear", "gimp", "cpdi", "quadratic", "cubic"};
   return std::string(shapes[static_cast<int>(c.param.shape_functions)]) +
-         (c.param.slice ? "_slice" : "_block") + (c.param.reset ? "_reset" : "");
+         (c.param.slice ? "_slice" : "_block") + (c.param.reset ? "_reset" : "") +
+         (c.param.has_other_laws ? "_other_laws" : "");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, MeanDilatation, ::testing::ValuesIn(cases()), name_of);
@@ -110,13 +117,14 @@ TEST_P(MeanDilatation, ForceIsTheDerivativeOfTheEnergy) {
   const MovingBody moving = body();
   const MomentumBalance& balance = moving.balance();
   const grid::Vector u = scattered(balance, 0, 0.15), v = scattered(balance, 1, 1.0);
-  const double power = force(balance, u).dot(v);
+  const grid::Vector f = force(balance, u);
+  const double power = f.dot(v);
   const auto error = [&](double h) {
     return std::abs((energy(balance, sum(u, h, v)) - energy(balance, sum(u, -h, v))) / (2.0 * h) -
                     power);
   };
   EXPECT_NEAR(std::log2(error(8e-3) / error(4e-3)), 2.0, 0.1);
-  EXPECT_LT(error(1e-4), 1e-6 * std::abs(power));
+  EXPECT_LT(error(1e-4), 1e-7 * f.norm2() * v.norm2());
 }
 
 TEST_P(MeanDilatation, TangentIsTheSymmetricDerivativeOfTheForce) {
@@ -155,9 +163,10 @@ TEST_P(MeanDilatation, TangentIsTheSymmetricDerivativeOfTheForce) {
 
 // V-LOCK-2.
 // The state that a step leaves to the next one is that of the mean: a grid reset changes no energy,
-// and no volume.
+// and no volume. Of a law whose W1 is not isochoric (Law.hpp) it changes a little.
 TEST_P(MeanDilatation, IsCarriedOnByAGridReset) {
   if (!GetParam().reset) GTEST_SKIP() << "without reset there is nothing to carry on";
+  if (GetParam().has_other_laws) GTEST_SKIP() << "the coupled law's W1 is not isochoric";
   MovingBody moving = body();
   const grid::Vector u = scattered(moving.balance(), 0, 0.15);
   const double before = energy(moving.balance(), u);

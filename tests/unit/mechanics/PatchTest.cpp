@@ -107,7 +107,7 @@ void expect_uniform_state(const MomentumBalance& balance, const material::NeoHoo
   const auto jacobian = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.jacobian);
   const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
   const double j = tensor::det(tensor::identity() + gradient());
-  const auto sigma = law.cauchy_stress(gradient());
+  const auto sigma = material::cauchy_stress(law, gradient());
   const double expected[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                               sigma(0, 1), sigma(1, 2), sigma(2, 0)};
   for (std::size_t p = 0; p < jacobian.extent(0); ++p) {
@@ -184,7 +184,7 @@ TEST(PatchTest, VoxelsAcrossElementsKeepTheStateUniform) {
                                                    particles::layer_weights(world(), grid, labels));
   const MomentumBalance balance(
       world(), partition, particles::seed(world(), specimen.layout, partition, labels, {{0, 0}}),
-      {specimen.laws[0]}, specimen.conditions);
+      std::vector<material::NeoHookean>{specimen.laws[0]}, specimen.conditions);
   expect_uniform_state(balance, specimen.laws[0]);
 }
 

@@ -113,7 +113,7 @@ TEST_P(PenaltyOf, LinearMotionIsMet) {
       tensor::Tensor3 H;
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d) H(c, d) = G[static_cast<std::size_t>(3 * c + d)];
-      const tensor::Tensor3 sigma = specimen.laws[0].cauchy_stress(H);
+      const tensor::Tensor3 sigma = material::cauchy_stress(specimen.laws[0], H);
       const double give = 1e-3 * sigma(1, 1);
       const auto fields = body.balance().particle_fields(u);
       for (int p = 0; p < body.balance().particles().count(); ++p) {

@@ -21,6 +21,8 @@ std::vector<CaseCondition> conditions_of(const std::string& name) {
               {"back", "z-", "z", "", ""}};
     case 'E':
       break;
+    case 'L':
+      return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", strain("0.20"), "F_y1"}};
     default:  // clamped grips
       return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", strain("0.10"), "F_y1"}};
   }
@@ -39,6 +41,43 @@ std::vector<CaseCondition> conditions_of(const std::string& name) {
   return all;
 }
 
+/// Values of all points, one list for each element.
+nlohmann::json by_element(const nlohmann::json& of_points) {
+  nlohmann::json elements;
+  for (std::size_t n = 0; n < of_points.size(); ++n) elements[n / 8].push_back(of_points[n]);
+  return elements;
+}
+
+/// The cases with laws of their own (L) in the words of the others.
+nlohmann::json in_one_form(nlohmann::json reference) {
+  if (!reference.contains("law_of_point")) return reference;
+  auto& grid = reference["grid"];
+  grid["n_cells"] = grid["elements"];
+  grid["cell_um"] = grid["size_um"];
+  reference["quadrature"]["name"] = "gauss2";
+  const auto laws = reference["law_of_point"].get<std::string>();
+  for (std::size_t n = 0; n < laws.size(); n += 8) {
+    int flags = 0;
+    for (std::size_t p = 0; p < 8; ++p) flags |= (laws[n + p] == '1' ? 1 : 0) << p;
+    reference["flags"].push_back(flags);
+  }
+  reference["pattern"] = {{"vessel_flags_per_cell_bitmask", reference["flags"]}};
+  auto& results = reference["results"];
+  results["nodal_displacements"] = results["displacement"];
+  for (const char* name : {"cauchy_xx_yy_zz_xy_yz_zx", "von_mises"})
+    results[name] = by_element(results[name]);
+  return reference;
+}
+
+/// A material's parameters in the deck, from those of the reference.
+std::string law_parameters(const nlohmann::json& material) {
+  std::string text = parameter("Model", "string", material.at("law").get<std::string>());
+  for (const auto& [key, name] :
+       {std::pair{"C1", "C1 [Pa]"}, {"C2", "C2 [Pa]"}, {"K", "Bulk Modulus [Pa]"}})
+    if (material.contains(key)) text += parameter(name, "double", material.at(key).dump());
+  return text;
+}
+
 }  // namespace
 
 fs::path reference_file(const std::string& name) {
@@ -46,7 +85,7 @@ fs::path reference_file(const std::string& name) {
 }
 
 ReferenceCase::ReferenceCase(const std::string& file)
-    : json_(nlohmann::json::parse(content_of(reference_file(file)))),
+    : json_(in_one_form(nlohmann::json::parse(content_of(reference_file(file))))),
       name_(file),
       elements_(json_.at("grid").at("n_cells").get<std::array<std::int64_t, 3>>()),
       element_size_(json_.at("grid").at("cell_um").get<std::array<double, 3>>()),
@@ -89,8 +128,10 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
   const auto list = [](const std::string& name, const std::string& content) {
     return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
   };
-  const auto material = [&](const char* label, const char* mu) {
-    return parameter("Label", "int", label) + parameter("Shear Modulus [Pa]", "double", mu) +
+  const auto material = [&](int label, const char* mu) {
+    const std::string text = parameter("Label", "int", std::to_string(label));
+    if (json_.contains("materials")) return text + law_parameters(json_.at("materials").at(label));
+    return text + parameter("Shear Modulus [Pa]", "double", mu) +
            parameter("Poisson Ratio", "double", name_.front() == 'F' ? "0.495" : "0.4");
   };
   const bool gauss = json_.at("quadrature").at("name") == "gauss2";
@@ -106,8 +147,8 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
                 parameter("File", "string", "labels.tif") +
                     parameter("Voxel Size [um]", "Array(double)", sized(element_size_, 0.5)) +
                     list("Segmentation", parameter("Method", "string", "Labels"))) +
-               list("Materials", list("collagen", material("0", "520.8")) +
-                                     list("vessel", material("1", "1041.6"))) +
+               list("Materials", list("collagen", material(0, "520.8")) +
+                                     list("vessel", material(1, "1041.6"))) +
                list("Particles", parameter("Layout", "string", gauss ? "Gauss" : "Voxel Centers")) +
                list("Grid",
                     parameter("Element Size [um]", "Array(double)", sized(element_size_, 1.0)) +
@@ -115,7 +156,8 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
                         parameter("Dilatation", "string",
                                   has_mean_dilatation() ? "Element Mean" : "Pointwise")) +
                list("Boundary Conditions", boundary) +
-               list("Loading", parameter("Steps", "int", "10")) +
+               list("Loading",
+                    parameter("Steps", "int", std::to_string(results().at("steps").size()))) +
                list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
                                   parameter("Linear Tolerance", "double", "1e-8") +
                                   parameter("Preconditioner", "string", "Jacobi")) +

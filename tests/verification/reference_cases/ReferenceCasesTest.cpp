@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// The program against independent finite element solutions of the paper's law
+/// The program against independent finite element solutions of the paper's law and of others
 /// (tests/data/reference). Without grid reset, with particles at the references' points, linear
 /// shape functions are the same discretisation: reactions and energy at every load step, nodal
 /// displacements and particle stresses at the last one agree to 1e-8 of their largest value (the
-/// references have 10 digits). Claims V-REF-A to V-REF-F, docs/verification.md.
+/// references have 10 digits). Claims V-REF-A to V-REF-F and V-REF-L1, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Data, ReferenceCases,
                                            "D_circle8_planestrain_gauss",
                                            "D_circle8_planestrain_voxel", "E_confined_compression",
                                            "E_simple_shear", "F_nu0495_n4_std", "F_nu0495_n4_q1p0",
-                                           "F_nu0495_n8_std", "F_nu0495_n8_q1p0"),
+                                           "F_nu0495_n8_std", "F_nu0495_n8_q1p0",
+                                           "L1_mooney_rivlin"),
                          [](const auto& file) { return file.param; });
 
 }  // namespace

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The one list of laws: what a deck's `Model` may name.
+
+#include "stroma/material/CoupledNeoHookean.hpp"
+#include "stroma/material/MooneyRivlin.hpp"
+#include "stroma/material/NeoHookean.hpp"
+#include "stroma/material/OneOf.hpp"
+
+namespace stroma::material {
+
+/// The first is the deck's default.
+using AnyLaw = OneOf<NeoHookean,         //
+                     CoupledNeoHookean,  //
+                     MooneyRivlin>;
+
+}  // namespace stroma::material

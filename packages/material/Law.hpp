@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What the kernels ask of a constitutive law, and what follows from it for any law.
+///
+/// A law is a plain struct whose stored energy per reference volume is a sum
+///
+///     W = W1(F) + U(J),   J = det F,
+///
+/// of an energy of volume U and of all else, W1. Mean dilatation, which averages the change of
+/// volume over an element, averages U's alone: what resists a change of volume much more than a
+/// change of shape belongs into U. W1 of most laws is isochoric, a function of J^(-2/3) F^T F. Where
+/// it is not, mean dilatation with a grid that is reset changes W1 a little from step to step: a
+/// step leaves F (Jt/J)^(1/3) to the next, whose W1 is another.
+///
+/// Functions take the displacement gradient H = F - I, H(i,j) = du_i/dX_j [-], instead of F, so
+/// that small strains keep full precision (docs/theory.md, "Digits of small strains"); those of the
+/// volume take ln J for the same reason. Device code cannot throw: an inverted particle (J <= 0)
+/// gives results that are not finite. A law `L` has
+///
+///     using Tangent = IsotropicTangent or FullTangent;
+///     SmallStrainModuli small_strain() const;        // the bulk modulus need not be set for the
+///     shear one double energy_of_volume(double log_j) const;                     // U [Pa]
+///     VolumetricStress stress_of_volume(double log_j) const;           // dU/d ln J and its
+///     derivative double energy(const Tensor3& H, double energy_of_volume) const;  // W1 and this U
+///     [Pa] Tensor3 kirchhoff_stress(const Tensor3& H, double log_j, const VolumetricStress&)
+///     const; Tangent tangent(const Tensor3& H, double log_j, const VolumetricStress&) const;
+///     static const char* name(), *meaning();         // in the deck
+///     template <class Parameters> static void declare(Parameters&);    // LawParameters.hpp
+///
+/// all of them but the last for host and device (KOKKOS_INLINE_FUNCTION). Kirchhoff stress
+/// tau = J sigma; the spatial tangent a is that of d(tau F^-T) = (a : D) F^-T for dF = D F: what a
+/// residual sum_p V0 tau grad N differentiates to. The volume's part is given, for it may be that
+/// of an element's mean; it adds p I to tau and M I x I - 2 p I4 to c, I4 the symmetric identity.
+/// docs/extending.md adds one step by step.
+
+#include "stroma/material/Tangents.hpp"
+#include "stroma/material/VolumetricEnergy.hpp"
+
+namespace stroma::material {
+
+/// Of small strain, where every law here is isotropic or has an isotropic matrix [Pa].
+struct SmallStrainModuli {
+  double shear;  ///< mu
+  double bulk;   ///< K
+
+  /// Of uniaxial strain, M = K + 4/3 mu [Pa].
+  KOKKOS_INLINE_FUNCTION double uniaxial_strain() const { return bulk + 4.0 / 3.0 * shear; }
+  /// nu = (3 K - 2 mu) / (2 (3 K + mu)) [-].
+  KOKKOS_INLINE_FUNCTION double poisson_ratio() const {
+    return (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
+  }
+};
+
+/// K = 2 mu (1 + nu) / (3 (1 - 2 nu))  [Pa].
+inline double bulk_modulus(double shear_modulus, double poisson_ratio) {
+  return 2.0 * shear_modulus * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio));
+}
+
+/// ln J [-]; not a number for J <= 0.
+KOKKOS_INLINE_FUNCTION double log_jacobian(const Tensor3& H) {
+  return log1p(tensor::det_minus_one(H));
+}
+
+/// Stored energy W [Pa] = [aJ/um^3]; of second order in H and accurate to rounding there.
+template <class Law>
+KOKKOS_INLINE_FUNCTION double energy(const Law& law, const Tensor3& H) {
+  return law.energy(H, law.energy_of_volume(log_jacobian(H)));
+}
+
+/// Kirchhoff stress tau = J sigma, 3 x 3 symmetric [Pa].
+template <class Law>
+KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Law& law, const Tensor3& H) {
+  const double log_j = log_jacobian(H);
+  return law.kirchhoff_stress(H, log_j, law.stress_of_volume(log_j));
+}
+
+/// Cauchy stress sigma = tau / J [Pa], tension positive.
+template <class Law>
+KOKKOS_INLINE_FUNCTION Tensor3 cauchy_stress(const Law& law, const Tensor3& H) {
+  return (1.0 / (1.0 + tensor::det_minus_one(H))) * kirchhoff_stress(law, H);
+}
+
+/// Stress and spatial tangent [Pa].
+template <class Law>
+KOKKOS_INLINE_FUNCTION typename Law::Tangent tangent(const Law& law, const Tensor3& H) {
+  const double log_j = log_jacobian(H);
+  return law.tangent(H, log_j, law.stress_of_volume(log_j));
+}
+
+/// Ibar1 - 3 = J^(-2/3) tr b - 3 [-], of second order in H and accurate to rounding there:
+///
+///     e tr(b - I) + H:H - 2 II - 2 III + 2 (j - ln J) + 3 (e - x),
+///
+/// with j = J - 1, x = -2/3 ln J, e = exp(x) - 1, II and III the invariants of H.
+KOKKOS_INLINE_FUNCTION double isochoric_first_invariant_minus_3(const Tensor3& H) {
+  const double j = tensor::det_minus_one(H);
+  const double x = -2.0 / 3.0 * log1p(j);
+  return expm1(x) * tensor::trace(tensor::left_cauchy_green_minus_identity(H)) +
+         tensor::contract(H, H) - 2.0 * tensor::second_invariant(H) - 2.0 * tensor::det(H) +
+         2.0 * tensor::x_minus_log1p(j) + 3.0 * tensor::expm1_minus_x(x);
+}
+
+/// Ibar2 - 3 = J^(-4/3) ((tr b)^2 - tr b^2) / 2 - 3 [-], of second order in H and accurate to
+/// rounding there: with t = tr(b - I), q = (t^2 - (b - I):(b - I)) / 2, x = -4/3 ln J,
+///
+///     e (2 t + q) + q + 2 H:H - 4 II - 4 III + 4 (j - ln J) + 3 (e - x).
+KOKKOS_INLINE_FUNCTION double isochoric_second_invariant_minus_3(const Tensor3& H) {
+  const double j = tensor::det_minus_one(H);
+  const double x = -4.0 / 3.0 * log1p(j);
+  const Tensor3 b_minus_identity = tensor::left_cauchy_green_minus_identity(H);
+  const double t = tensor::trace(b_minus_identity);
+  const double q = 0.5 * (t * t - tensor::contract(b_minus_identity, b_minus_identity));
+  return expm1(x) * (2.0 * t + q) + q + 2.0 * tensor::contract(H, H) -
+         4.0 * tensor::second_invariant(H) - 4.0 * tensor::det(H) + 4.0 * tensor::x_minus_log1p(j) +
+         3.0 * tensor::expm1_minus_x(x);
+}
+
+}  // namespace stroma::material

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The laws as the deck sees them: names, parameters, and how a material's numbers make one.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "stroma/material/Material.hpp"
+
+namespace stroma::material {
+
+/// One number of a model.
+struct ModelNumber {
+  std::string name, meaning;
+  Range admissible;
+  bool or_poisson_ratio;  ///< "Poisson Ratio" may stand in its place
+};
+
+/// One admissible value of `Model`.
+struct Model {
+  std::string name, meaning;
+  std::vector<ModelNumber> numbers;
+  bool has_volumetric_energy = false;
+  /// The law with a material's numbers, all of which must be there.
+  std::function<AnyLaw(const MaterialParameters&)> law;
+
+  bool takes_poisson_ratio() const;
+  bool takes(const std::string& number) const;
+  /// "Shear Modulus [Pa], Bulk Modulus [Pa] or Poisson Ratio".
+  std::string listing() const;
+};
+
+/// All of them, in the order of the list of laws.
+const std::vector<Model>& models();
+
+inline constexpr const char* poisson_ratio_name = "Poisson Ratio";
+
+}  // namespace stroma::material

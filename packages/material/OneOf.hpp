@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// A law that is one of several, in bodies whose materials obey different ones.
+
+#include <algorithm>
+#include <new>
+#include <type_traits>
+
+#include "stroma/material/Law.hpp"
+
+namespace stroma::material {
+
+/// One of several laws, with the contract of a law itself (Law.hpp) and the full tangent. A tagged
+/// union, trivially copyable, without virtual calls: it lives in views of any memory space.
+template <class... Laws>
+class OneOf {
+ public:
+  using Tangent = FullTangent;
+
+  template <class Law, class = std::enable_if_t<(std::is_same_v<Law, Laws> || ...)>>
+  OneOf(const Law& law) : which_(index_of<Law>()) {
+    new (storage_) Law(law);
+  }
+  OneOf() = default;
+
+  /// f(law) of the law that it is; f answers alike for all.
+  template <class F>
+  KOKKOS_INLINE_FUNCTION auto visit(const F& f) const {
+    std::common_type_t<decltype(f(std::declval<const Laws&>()))...> result{};
+    (void)((which_ == index_of<Laws>() ? (result = f(as<Laws>()), true) : false) || ...);
+    return result;
+  }
+  template <class Law>
+  bool is() const {
+    return which_ == index_of<Law>();
+  }
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION const Law& as() const {
+    return *reinterpret_cast<const Law*>(storage_);
+  }
+
+  KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
+    return visit([](const auto& law) { return law.small_strain(); });
+  }
+  KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
+    return visit([=](const auto& law) { return law.energy_of_volume(log_j); });
+  }
+  KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
+    return visit([=](const auto& law) { return law.stress_of_volume(log_j); });
+  }
+  KOKKOS_INLINE_FUNCTION double energy(const Tensor3& H, double of_volume) const {
+    return visit([&](const auto& law) { return law.energy(H, of_volume); });
+  }
+  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
+                                                  const VolumetricStress& volume) const {
+    return visit([&](const auto& law) { return law.kirchhoff_stress(H, log_j, volume); });
+  }
+  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
+                                             const VolumetricStress& volume) const {
+    return visit([&](const auto& law) { return FullTangent(law.tangent(H, log_j, volume)); });
+  }
+
+ private:
+  /// Its place among the laws.
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION static constexpr int index_of() {
+    int index = 0;
+    (void)((std::is_same_v<Law, Laws> ? true : (++index, false)) || ...);
+    return index;
+  }
+
+  alignas(std::max({alignof(Laws)...})) unsigned char storage_[std::max({sizeof(Laws)...})];
+  int which_ = 0;
+};
+
+}  // namespace stroma::material

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The materials' laws, as the balance of momentum asks for them.
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <vector>
+
+#include "stroma/mechanics/kernels/StressKernels.hpp"
+
+namespace stroma::mechanics {
+
+/// Of each material its moduli; of all together the kernels that know their stress. The laws that a
+/// deck may name convert to this; an application with a law of its own gives the two members
+/// (docs/extending.md).
+struct Laws {
+  std::vector<material::SmallStrainModuli> moduli;  ///< (material)
+  std::function<std::shared_ptr<const StressKernels>(grid::ShapeFunctions, bool flat)> kernels;
+
+  Laws() = default;
+  /// \tparam Law  AnyLaw or one of its laws
+  template <class Law>
+  Laws(const std::vector<Law>& laws) : Laws(LawList(laws.begin(), laws.end()), 0) {}
+  /// Neo-Hookean ones, by their moduli.
+  Laws(std::initializer_list<material::NeoHookean> laws)
+      : Laws(LawList(laws.begin(), laws.end()), 0) {}
+
+  std::size_t size() const { return moduli.size(); }
+
+ private:
+  Laws(const LawList& laws, int);
+};
+
+}  // namespace stroma::mechanics

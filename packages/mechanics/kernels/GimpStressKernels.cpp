@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/kernels/StressKernelsOf.hpp"
+#include "stroma/shape/BSpline.hpp"
+
+namespace stroma::mechanics {
+
+std::shared_ptr<const StressKernels> gimp_stress_kernels(const LawList& laws, bool flat) {
+  if (flat) return stress_kernels_of<shape::Gimp<2>>(laws);
+  return stress_kernels_of<shape::Gimp<3>>(laws);
+}
+
+}  // namespace stroma::mechanics

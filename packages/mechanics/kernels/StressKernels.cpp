@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/kernels/StressKernels.hpp"
+
+#include <stdexcept>
+
+namespace stroma::mechanics {
+
+std::shared_ptr<const StressKernels> stress_kernels(const LawList& laws,
+                                                    grid::ShapeFunctions shape_functions,
+                                                    bool flat) {
+  switch (shape_functions) {
+    case grid::ShapeFunctions::linear:
+      return linear_stress_kernels(laws);
+    case grid::ShapeFunctions::gimp:
+      return gimp_stress_kernels(laws, flat);
+    case grid::ShapeFunctions::cpdi:
+      return cpdi_stress_kernels(laws, flat);
+    case grid::ShapeFunctions::quadratic_b_spline:
+      return quadratic_b_spline_stress_kernels(laws, flat);
+    case grid::ShapeFunctions::cubic_b_spline:
+      return cubic_b_spline_stress_kernels(laws, flat);
+  }
+  throw std::logic_error("unknown shape functions");
+}
+
+}  // namespace stroma::mechanics

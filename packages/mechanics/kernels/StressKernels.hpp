@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The transfer kernels that ask for stress, of one kind of shape functions and a body's laws,
+/// behind one interface: what is compiled once per kind and set of laws, and chosen once per run.
+
+#include <memory>
+#include <vector>
+
+#include "stroma/grid/GridSection.hpp"
+#include "stroma/grid/Types.hpp"
+#include "stroma/material/AnyLaw.hpp"
+#include "stroma/transfer/GridToParticles.hpp"
+#include "stroma/transfer/StencilRows.hpp"
+#include "stroma/transfer/Tangent.hpp"
+
+namespace stroma::mechanics {
+
+/// Launches kernels over the points of a rank. Views over nodes are those of the touched nodes
+/// (grid::Partition::touched_nodes); what is "added to" must be zeroed by the caller. Functions
+/// that return a number count the points that the displacement turns inside out.
+class StressKernels {
+ public:
+  using Device = grid::Device;
+  using Points = transfer::PointSet<Device>;
+  using NodeView = grid::NodeView;
+  using ConstNodeView = grid::ConstNodeView;
+
+  virtual ~StressKernels() = default;
+
+  /// transfer::InternalForce; force is added to.
+  virtual std::int64_t internal_force(const Points& points, const NodeView& force) const = 0;
+  /// transfer::Tangent.
+  virtual std::int64_t tangent(const Points& points,
+                               const transfer::BlockRows<Device>& rows) const = 0;
+  /// The same as a stencil of 27 blocks a row: of hats only.
+  virtual std::int64_t tangent(const Points& points,
+                               const transfer::StencilRows<Device>& rows) const = 0;
+  /// transfer::TangentTimes; product is added to.
+  virtual void tangent_times(const Points& points, const ConstNodeView& direction,
+                             const NodeView& product) const = 0;
+  /// transfer::GridToParticles, of all particles.
+  virtual void particle_fields(const Points& points,
+                               const transfer::ParticleFields<Device>& fields) const = 0;
+  /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
+  virtual void layer_fields(const Points& points, int k, int first,
+                            const transfer::ParticleFields<Device>& fields) const = 0;
+};
+
+using LawList = std::vector<material::AnyLaw>;
+
+/// The kernels for a choice of shape functions, in space or in plane strain, and the laws of all
+/// materials. A body of neo-Hookean laws alone has kernels of its own.
+std::shared_ptr<const StressKernels> stress_kernels(const LawList& laws,
+                                                    grid::ShapeFunctions shape_functions,
+                                                    bool flat);
+
+// One per kind, each in its own file: they take long to compile.
+std::shared_ptr<const StressKernels> linear_stress_kernels(const LawList& laws);
+std::shared_ptr<const StressKernels> gimp_stress_kernels(const LawList& laws, bool flat);
+std::shared_ptr<const StressKernels> cpdi_stress_kernels(const LawList& laws, bool flat);
+std::shared_ptr<const StressKernels> quadratic_b_spline_stress_kernels(const LawList& laws,
+                                                                       bool flat);
+std::shared_ptr<const StressKernels> cubic_b_spline_stress_kernels(const LawList& laws, bool flat);
+
+}  // namespace stroma::mechanics

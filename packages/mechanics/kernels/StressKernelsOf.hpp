@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The kernels for one kind of shape functions and one type of law; to be included where that pair
+/// is compiled.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "stroma/grid/ToDevice.hpp"
+#include "stroma/mechanics/kernels/StressKernels.hpp"
+#include "stroma/transfer/InternalForce.hpp"
+
+namespace stroma::mechanics {
+
+template <class Shape, class Law>
+class StressKernelsOf : public StressKernels {
+ public:
+  /// \param laws  of all materials
+  explicit StressKernelsOf(const std::vector<Law>& laws) : law_(grid::to_device("law", laws)) {}
+
+  std::int64_t internal_force(const Points& points, const NodeView& force) const override {
+    return launch("internal force", points,
+                  transfer::InternalForce<Shape, Law, Device>{{points}, law_, force});
+  }
+  std::int64_t tangent(const Points& points,
+                       const transfer::BlockRows<Device>& rows) const override {
+    return launch(
+        "tangent", points,
+        transfer::Tangent<Shape, Law, Device, transfer::BlockRows<Device>>{{points}, law_, rows});
+  }
+  std::int64_t tangent(const Points& points,
+                       const transfer::StencilRows<Device>& rows) const override {
+    if constexpr (Shape::width == 2)
+      return launch("tangent", points,
+                    transfer::Tangent<Shape, Law, Device, transfer::StencilRows<Device>>{
+                        {points}, law_, rows});
+    else
+      throw std::logic_error("a stencil of 27 blocks cannot hold the tangent of wider functions");
+  }
+  void tangent_times(const Points& points, const ConstNodeView& direction,
+                     const NodeView& product) const override {
+    launch("tangent times", points,
+           transfer::TangentTimes<Shape, Law, Device>{{points}, law_, direction, product});
+  }
+  void particle_fields(const Points& points,
+                       const transfer::ParticleFields<Device>& fields) const override {
+    launch("grid to particles", points,
+           transfer::GridToParticles<Shape, Law, Device>{{points}, law_, fields});
+  }
+  void layer_fields(const Points& points, int k, int first,
+                    const transfer::ParticleFields<Device>& fields) const override {
+    transfer::for_each_element_of_layer<grid::ExecutionSpace>(
+        "grid to particles", points.box, k,
+        transfer::GridToParticles<Shape, Law, Device>{{points}, law_, fields, first});
+  }
+
+ private:
+  template <class Kernel>
+  static std::int64_t launch(const char* name, const Points& points, const Kernel& kernel) {
+    return transfer::for_each_element<Shape::width, grid::ExecutionSpace>(name, points.box, kernel);
+  }
+
+  Kokkos::View<const Law*, Device> law_;  // of each material
+};
+
+/// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, or of
+/// any.
+template <class Shape>
+std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
+  using material::AnyLaw;
+  using material::NeoHookean;
+  if (!std::all_of(laws.begin(), laws.end(),
+                   [](const AnyLaw& law) { return law.is<NeoHookean>(); }))
+    return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(laws);
+  std::vector<NeoHookean> alike;
+  for (const AnyLaw& law : laws) alike.push_back(law.as<NeoHookean>());
+  return std::make_shared<StressKernelsOf<Shape, NeoHookean>>(alike);
+}
+
+}  // namespace stroma::mechanics
