@@ -35,8 +35,9 @@ echo status $?
   EXPECT_EQ(outcome.standard_output, "status 1\n") << content_of(folder / "errors");
   const std::string errors = content_of(folder / "errors");
   const std::string line = "stopped by SIG";
-  if (ranks == 1)  // mpirun of Open MPI 5 passes nothing on once it has the signal
+  if (ranks == 1) {  // mpirun of Open MPI 5 passes nothing on once it has the signal
     EXPECT_NE(errors.find("stroma: " + line), std::string::npos) << errors;
+  }
   EXPECT_EQ(errors.find(line), errors.rfind(line)) << "told twice: " << errors;
   EXPECT_EQ(errors.find("MPI_ABORT"), std::string::npos) << errors;
   const std::string log = content_of(folder / "out/log.txt");
