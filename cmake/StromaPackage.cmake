@@ -100,8 +100,6 @@ endfunction()
 
 # Warnings and the processor, for Stroma's own code.
 add_library(stroma_options INTERFACE)
-# Position-independent code that nobody replaces piece by piece is as fast as any other.
-target_compile_options(stroma_options INTERFACE -fno-semantic-interposition)
 target_compile_options(stroma_options INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
 if(STROMA_NATIVE)
   target_compile_options(stroma_options INTERFACE -march=native)
