@@ -5,7 +5,6 @@
 /// \file
 /// The compressible neo-Hookean solid whose energy is not split into shape and volume.
 
-#include "stroma/material/Law.hpp"
 #include "stroma/material/LawParameters.hpp"
 
 namespace stroma::material {

@@ -20,17 +20,22 @@
 /// volume take ln J for the same reason. Device code cannot throw: an inverted particle (J <= 0)
 /// gives results that are not finite. A law `L` has
 ///
-///     using Tangent = IsotropicTangent or FullTangent;
-///     SmallStrainModuli small_strain() const;        // the bulk modulus need not be set for the
-///     shear one double energy_of_volume(double log_j) const;                     // U [Pa]
-///     VolumetricStress stress_of_volume(double log_j) const;           // dU/d ln J and its
-///     derivative double energy(const Tensor3& H, double energy_of_volume) const;  // W1 and this U
-///     [Pa] Tensor3 kirchhoff_stress(const Tensor3& H, double log_j, const VolumetricStress&)
-///     const; Tangent tangent(const Tensor3& H, double log_j, const VolumetricStress&) const;
-///     static const char* name(), *meaning();         // in the deck
-///     template <class Parameters> static void declare(Parameters&);    // LawParameters.hpp
+///     using Tangent = ...;  // IsotropicTangent or FullTangent
+///     // Its shear modulus must not need the bulk modulus, which may follow from it.
+///     SmallStrainModuli small_strain() const;
+///     // U, and its first two derivatives by ln J [Pa]
+///     double energy_of_volume(double log_j) const;
+///     VolumetricStress stress_of_volume(double log_j) const;
+///     // W1 + U, tau, and tau with the tangent [Pa], with the volume's part given
+///     double energy(const Tensor3& H, double energy_of_volume) const;
+///     Tensor3 kirchhoff_stress(const Tensor3& H, double log_j, const VolumetricStress&) const;
+///     Tangent tangent(const Tensor3& H, double log_j, const VolumetricStress&) const;
+///     // in the deck; a law of an application's own goes without
+///     static const char* name();
+///     static const char* meaning();
+///     template <class Parameters> static void declare(Parameters&);  // LawParameters.hpp
 ///
-/// all of them but the last for host and device (KOKKOS_INLINE_FUNCTION). Kirchhoff stress
+/// all but the last three for host and device (KOKKOS_INLINE_FUNCTION). Kirchhoff stress
 /// tau = J sigma; the spatial tangent a is that of d(tau F^-T) = (a : D) F^-T for dF = D F: what a
 /// residual sum_p V0 tau grad N differentiates to. The volume's part is given, for it may be that
 /// of an element's mean; it adds p I to tau and M I x I - 2 p I4 to c, I4 the symmetric identity.

@@ -3,7 +3,6 @@
 #include "stroma/material/Material.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "stroma/base/Log.hpp"
@@ -39,12 +38,6 @@ std::vector<SharedNumber> shared_numbers() {
       if (!(same->admissible == number.admissible)) same->admissible = Range::any();
     }
   return all;
-}
-
-std::string described(const Range& range) {
-  if (range == Range::any()) return "any finite number";
-  if (std::isinf(range.upper)) return base::format("a number > %g", range.lower);
-  return base::format("a number > %g and < %g", range.lower, range.upper);
 }
 
 deck::Admissible admissible(const Range& range) {
@@ -93,10 +86,10 @@ void check_numbers(const MaterialParameters& p, deck::Findings& findings) {
                        ? "missing; give it, or \"" + number.name + "\""
                        : "missing; Model = " + model.name + " takes " + model.listing());
     }
-    if (is_given &&
-        !(given->second > number.admissible.lower && given->second < number.admissible.upper))
-      findings.add(number.name,
-                   base::format("%g; admissible: ", given->second) + described(number.admissible));
+    const deck::Admissible rule = admissible(number.admissible);
+    if (is_given && !rule.allows(given->second))
+      findings.add(number.name, base::format("found %g; admissible: ", given->second) +
+                                    rule.describe(deck::detail::value_type<double>()));
   }
   if (!model.has_volumetric_energy && p.volumetric_energy != VolumetricEnergy::logarithmic)
     findings.add("Volumetric Energy", "Model = " + model.name + " has its own energy of volume");

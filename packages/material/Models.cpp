@@ -7,9 +7,6 @@
 namespace stroma::material {
 namespace {
 
-constexpr const char* bulk_modulus_meaning =
-    "Bulk modulus K = 2 mu (1 + nu) / (3 (1 - 2 nu)), mu of small strain.";
-
 /// What L::declare() says, as a model of the deck.
 template <class Law>
 class Describing {
@@ -23,10 +20,6 @@ class Describing {
   void number_or_poisson_ratio(const char* name, double Law::*, Range admissible, const Convert&,
                                const char* meaning) {
     model_.numbers.push_back({name, meaning, admissible, true});
-  }
-  void bulk_modulus(double Law::*member) {
-    number_or_poisson_ratio("Bulk Modulus [Pa]", member, Range::positive(), material::bulk_modulus,
-                            bulk_modulus_meaning);
   }
   void volumetric_energy(VolumetricEnergy Law::*) { model_.has_volumetric_energy = true; }
 
@@ -52,10 +45,6 @@ class Filling {
                        ? found->second
                        : from_shear_modulus_and_poisson_ratio(
                              law_.small_strain().shear, given_.numbers.at(poisson_ratio_name));
-  }
-  void bulk_modulus(double Law::*member) {
-    number_or_poisson_ratio("Bulk Modulus [Pa]", member, Range::positive(), material::bulk_modulus,
-                            bulk_modulus_meaning);
   }
   void volumetric_energy(VolumetricEnergy Law::*member) { law_.*member = given_.volumetric_energy; }
 

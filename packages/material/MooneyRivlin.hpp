@@ -5,7 +5,6 @@
 /// \file
 /// The solid of Mooney and Rivlin.
 
-#include "stroma/material/Law.hpp"
 #include "stroma/material/LawParameters.hpp"
 
 namespace stroma::material {
@@ -29,7 +28,7 @@ struct MooneyRivlin {
   static void declare(Parameters& parameters) {
     parameters.number("C1 [Pa]", &MooneyRivlin::c1, Range::any(), "Modulus C1 of Ibar1.");
     parameters.number("C2 [Pa]", &MooneyRivlin::c2, Range::any(), "Modulus C2 of Ibar2.");
-    parameters.bulk_modulus(&MooneyRivlin::bulk_modulus);
+    declare_bulk_modulus(parameters, &MooneyRivlin::bulk_modulus);
     parameters.volumetric_energy(&MooneyRivlin::volumetric_energy);
   }
 

@@ -5,7 +5,6 @@
 /// \file
 /// The paper's neo-Hookean solid.
 
-#include "stroma/material/Law.hpp"
 #include "stroma/material/LawParameters.hpp"
 
 namespace stroma::material {
@@ -27,7 +26,7 @@ struct NeoHookean {
   static void declare(Parameters& parameters) {
     parameters.number("Shear Modulus [Pa]", &NeoHookean::shear_modulus, Range::positive(),
                       "Shear modulus mu.");
-    parameters.bulk_modulus(&NeoHookean::bulk_modulus);
+    declare_bulk_modulus(parameters, &NeoHookean::bulk_modulus);
     parameters.volumetric_energy(&NeoHookean::volumetric_energy);
   }
 
