@@ -4,7 +4,7 @@
 
 namespace stroma::mechanics {
 
-Laws::Laws(const LawList& laws, int)
+Laws::Laws(const LawList& laws)
     : kernels([laws](grid::ShapeFunctions shape_functions, bool flat) {
         return stress_kernels(laws, shape_functions, flat);
       }) {

@@ -22,17 +22,15 @@ struct Laws {
   std::function<std::shared_ptr<const StressKernels>(grid::ShapeFunctions, bool flat)> kernels;
 
   Laws() = default;
-  /// \tparam Law  AnyLaw or one of its laws
+  Laws(const LawList& laws);
+  /// \tparam Law  one of those that AnyLaw may be
   template <class Law>
-  Laws(const std::vector<Law>& laws) : Laws(LawList(laws.begin(), laws.end()), 0) {}
+  Laws(const std::vector<Law>& laws) : Laws(LawList(laws.begin(), laws.end())) {}
   /// Neo-Hookean ones, by their moduli.
   Laws(std::initializer_list<material::NeoHookean> laws)
-      : Laws(LawList(laws.begin(), laws.end()), 0) {}
+      : Laws(LawList(laws.begin(), laws.end())) {}
 
   std::size_t size() const { return moduli.size(); }
-
- private:
-  Laws(const LawList& laws, int);
 };
 
 }  // namespace stroma::mechanics

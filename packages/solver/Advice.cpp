@@ -3,6 +3,7 @@
 #include "stroma/solver/Advice.hpp"
 
 #include "stroma/base/Log.hpp"
+#include "stroma/grid/ToDevice.hpp"
 #include "stroma/mechanics/BarelyFilled.hpp"
 #include "stroma/solver/Preconditioner.hpp"
 
@@ -14,11 +15,7 @@ namespace {
 
 /// Of the shear moduli of the particles, on all ranks.
 double contrast(const mechanics::MomentumBalance& balance) {
-  const std::vector<material::SmallStrainModuli>& moduli = balance.problem().laws.moduli;
-  const Kokkos::View<double*, grid::Device> shear_modulus("shear moduli", moduli.size());
-  const auto on_host = Kokkos::create_mirror_view(shear_modulus);
-  for (std::size_t m = 0; m < moduli.size(); ++m) on_host(m) = moduli[m].shear;
-  Kokkos::deep_copy(shear_modulus, on_host);
+  const auto moduli = grid::to_device("moduli", balance.problem().laws.moduli);
   const auto material = balance.particles().material;
   using Extremes = Kokkos::MinMax<double>;
   Extremes::value_type found;
@@ -26,7 +23,7 @@ double contrast(const mechanics::MomentumBalance& balance) {
       "contrast",
       Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(material.extent(0))),
       KOKKOS_LAMBDA(const int p, Extremes::value_type& all) {
-        const double mu = shear_modulus(material(p));
+        const double mu = moduli(material(p)).shear;
         if (mu < all.min_val) all.min_val = mu;
         if (mu > all.max_val) all.max_val = mu;
       },

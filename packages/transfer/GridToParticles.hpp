@@ -50,8 +50,8 @@ struct GridToParticles {
         fields.displacement(p - first, c) = sum;
       }
       const Law& material = law(point.material);
-      const double log_j = material::log_jacobian(point.H);
-      double jacobian = 1.0 + tensor::det_minus_one(point.H), log_of_volume = log_j;
+      const double growth = tensor::det_minus_one(point.H), log_j = log1p(growth);
+      double jacobian = 1.0 + growth, log_of_volume = log_j;
       if (mean.holds_for(point)) {
         log_of_volume = log_mean_jacobian(elements, mean, p);
         jacobian = exp(log_of_volume);
