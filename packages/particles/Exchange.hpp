@@ -5,6 +5,7 @@
 /// \file
 /// Records that ranks send to each other, and the home to which a particle's results return.
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -39,6 +40,26 @@ std::vector<Record> exchange(const base::Communicator& communicator,
                 receive.data(), receive_begin.data(), type, communicator.raw());
   MPI_Type_free(&type);
   return incoming;
+}
+
+/// A field's values of the particles that the other ranks send, in rank order. Collective.
+/// \param communicator  of the ranks that exchange
+/// \param leave         (rank) the particles that go there
+/// \param values        (particle, number) on the host
+/// \param numbers       of a particle; the same on all ranks
+template <class T>
+std::vector<T> exchange_values(const base::Communicator& communicator,
+                               const std::vector<std::vector<int>>& leave, const T* values,
+                               std::size_t numbers) {
+  std::vector<std::vector<T>> for_rank(leave.size());
+  for (std::size_t r = 0; r < leave.size(); ++r) {
+    for_rank[r].reserve(numbers * leave[r].size());
+    for (const int p : leave[r]) {
+      const T* const first = values + numbers * static_cast<std::size_t>(p);
+      for_rank[r].insert(for_rank[r].end(), first, first + numbers);
+    }
+  }
+  return particles::exchange(communicator, for_rank);
 }
 
 /// The place to which the results of a particle return, however far it has moved: the rank that

@@ -11,109 +11,11 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/particles/Exchange.hpp"
+#include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Seeding.hpp"
 
 namespace stroma::particles {
 namespace {
-
-/// A particle as it travels.
-struct Record {
-  double position[3];
-  double displacement[3];
-  double gradient[3][3];
-  double volume;
-  std::int64_t id;
-  std::int64_t home;
-  std::int64_t material;
-};
-
-/// Host views of a rank's particles that turn into records and back.
-struct HostParticles {
-  explicit HostParticles(const Particles<grid::Device>& particles)
-      : position(copy(particles.position)),
-        displacement(copy(particles.base_displacement)),
-        gradient(copy(particles.base_gradient)),
-        volume(copy(particles.volume)),
-        id(copy(particles.id)),
-        home(copy(particles.home)),
-        material(copy(particles.material)) {}
-
-  Record record(int p) const {
-    Record r;
-    for (int i = 0; i < 3; ++i) {
-      r.position[i] = position(p, i);
-      r.displacement[i] = has_displacement() ? displacement(p, i) : 0.0;
-      for (int j = 0; j < 3; ++j) r.gradient[i][j] = has_gradient() ? gradient(p, i, j) : 0.0;
-    }
-    r.volume = volume(p);
-    r.id = id(p);
-    r.home = has_home() ? home(p) : 0;
-    r.material = material(p);
-    return r;
-  }
-
-  void set(int p, const Record& r) const {
-    for (int i = 0; i < 3; ++i) {
-      position(p, i) = r.position[i];
-      if (has_displacement()) displacement(p, i) = r.displacement[i];
-      for (int j = 0; j < 3 && has_gradient(); ++j) gradient(p, i, j) = r.gradient[i][j];
-    }
-    volume(p) = r.volume;
-    id(p) = r.id;
-    if (has_home()) home(p) = r.home;
-    material(p) = static_cast<std::uint8_t>(r.material);
-  }
-
-  void copy_to(const Particles<grid::Device>& particles) const {
-    Kokkos::deep_copy(particles.position, position);
-    Kokkos::deep_copy(particles.base_displacement, displacement);
-    Kokkos::deep_copy(particles.base_gradient, gradient);
-    Kokkos::deep_copy(particles.volume, volume);
-    Kokkos::deep_copy(particles.id, id);
-    Kokkos::deep_copy(particles.home, home);
-    Kokkos::deep_copy(particles.material, material);
-  }
-
-  // What particles that do not move go without.
-  bool has_displacement() const { return displacement.extent(0) != 0; }
-  bool has_gradient() const { return gradient.extent(0) != 0; }
-  bool has_home() const { return home.extent(0) != 0; }
-
-  Particles<grid::Device>::Vector3::HostMirror position, displacement;
-  Particles<grid::Device>::Tensor::HostMirror gradient;
-  Kokkos::View<double*, grid::Device>::HostMirror volume;
-  Kokkos::View<std::int64_t*, grid::Device>::HostMirror id, home;
-  Kokkos::View<std::uint8_t*, grid::Device>::HostMirror material;
-
- private:
-  template <class View>
-  static typename View::HostMirror copy(const View& view) {
-    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-  }
-};
-
-template <class View>
-void allocate(View& view, const char* name, std::size_t count) {
-  view = View(Kokkos::view_alloc(std::string(name), Kokkos::WithoutInitializing), count);
-}
-
-/// Room for particles of the same kind as the given ones.
-Particles<grid::Device> allocate_like(const base::Communicator& communicator,
-                                      const HostParticles& given, std::size_t count,
-                                      std::size_t elements) {
-  Particles<grid::Device> particles;
-  allocate(particles.position, "position", count);
-  allocate(particles.volume, "volume", count);
-  allocate(particles.material, "material", count);
-  allocate(particles.id, "id", count);
-  allocate(particles.element_begin, "element_begin", elements + 1);
-  if (communicator.any(given.has_displacement()))
-    allocate(particles.base_displacement, "base_displacement", count);
-  if (communicator.any(given.has_gradient()))
-    allocate(particles.base_gradient, "base_gradient", count);
-  if (communicator.any(given.has_home())) allocate(particles.home, "home", count);
-  return particles;
-}
 
 /// Element of a position; the tolerance is that of seeding, so that both sort alike.
 std::int64_t element_along(const grid::Grid& grid, int d, double position) {
@@ -130,13 +32,27 @@ grid::Index3 element_at(const grid::Grid& grid, const double position[3]) {
   return element;
 }
 
+/// Numbers of a particle in a field that some rank's particles have; 0 where nobody's have it. A
+/// rank without particles does not know. Collective.
+template <class View>
+std::size_t numbers_anywhere(const base::Communicator& communicator, const Field& field,
+                             const View& view) {
+  const bool has_it = field.presence == Presence::always || view.extent(0) > 0;
+  return static_cast<std::size_t>(
+      communicator.max(has_it ? static_cast<std::int64_t>(numbers_of(view)) : 0));
+}
+
 }  // namespace
 
 void make_movable(const base::Communicator& communicator, Particles<grid::Device>& particles) {
   const auto count = static_cast<std::size_t>(particles.count());
-  particles.base_displacement = decltype(particles.base_displacement)("base_displacement", count);
-  particles.base_gradient = decltype(particles.base_gradient)("base_gradient", count);
-  allocate(particles.home, "home", count);
+  for_each_field(
+      [&](const Field& field, auto& view) {
+        if (field.presence != Presence::where_particles_move) return;
+        allocate(view, field.name, count);
+        Kokkos::deep_copy(view, 0);
+      },
+      particles);
   const auto home = Kokkos::create_mirror_view(particles.home);
   for (std::size_t p = 0; p < count; ++p)
     home(p) = home_of(communicator.rank(), static_cast<int>(p));
@@ -195,22 +111,21 @@ Particles<grid::Device> migrate(const base::Communicator& communicator,
                                 const Particles<grid::Device>& particles) {
   const grid::Grid& grid = partition.grid();
   const grid::Box box = partition.elements(communicator.rank());
-  const HostParticles before(particles);
+  const HostParticles before = on_host(particles);
 
   std::vector<int> stay;
-  std::vector<std::vector<Record>> leave(static_cast<std::size_t>(communicator.size()));
+  std::vector<std::vector<int>> leave(static_cast<std::size_t>(communicator.size()));
   for (int p = 0; p < particles.count(); ++p) {
     const grid::Index3 element = element_at(grid, &before.position(p, 0));
-    if (box.contains(element)) {
+    if (box.contains(element))
       stay.push_back(p);
-    } else {
-      leave[static_cast<std::size_t>(partition.owner_of_element(element))].push_back(
-          before.record(p));
-    }
+    else
+      leave[static_cast<std::size_t>(partition.owner_of_element(element))].push_back(p);
   }
-  const std::vector<Record> arrived = particles::exchange(communicator, leave);
-  leave.clear();
-  const std::size_t count = stay.size() + arrived.size();
+  const std::vector<double> position =
+      exchange_values(communicator, leave, before.position.data(), 3);
+  const std::vector<std::int64_t> id = exchange_values(communicator, leave, before.id.data(), 1);
+  const std::size_t count = stay.size() + id.size();
   const auto total = communicator.sum<std::int64_t>(particles.count());
   if (communicator.sum(static_cast<std::int64_t>(count)) != total)
     throw base::RunError("particles were lost on the way between ranks");
@@ -220,17 +135,14 @@ Particles<grid::Device> migrate(const base::Communicator& communicator,
   // Counting sort by element; those of one element by id.
   struct Place {
     std::int64_t id;
-    int source;  // of stay, then of arrived
-  };
-  const auto id_of = [&](std::size_t n) {
-    return n < stay.size() ? before.id(stay[n]) : arrived[n - stay.size()].id;
+    std::size_t source;  // of stay, then of those that arrive
   };
   std::vector<int> element(count);
   std::vector<int> begin(static_cast<std::size_t>(box.count()) + 1, 0);
   for (std::size_t n = 0; n < count; ++n) {
-    const double* position =
-        n < stay.size() ? &before.position(stay[n], 0) : arrived[n - stay.size()].position;
-    element[n] = static_cast<int>(box.local(element_at(grid, position)));
+    const double* x =
+        n < stay.size() ? &before.position(stay[n], 0) : &position[3 * (n - stay.size())];
+    element[n] = static_cast<int>(box.local(element_at(grid, x)));
     ++begin[static_cast<std::size_t>(element[n]) + 1];
   }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -238,20 +150,31 @@ Particles<grid::Device> migrate(const base::Communicator& communicator,
   std::vector<int> next(begin.begin(), begin.end() - 1);
   for (std::size_t n = 0; n < count; ++n)
     order[static_cast<std::size_t>(next[static_cast<std::size_t>(element[n])]++)] = {
-        id_of(n), static_cast<int>(n)};
+        n < stay.size() ? before.id(stay[n]) : id[n - stay.size()], n};
   for (std::size_t e = 0; e + 1 < begin.size(); ++e)
     std::sort(order.begin() + begin[e], order.begin() + begin[e + 1],
               [](const Place& a, const Place& b) { return a.id < b.id; });
 
-  const Particles<grid::Device> sorted =
-      allocate_like(communicator, before, count, static_cast<std::size_t>(box.count()));
-  const HostParticles after(sorted);
-  for (std::size_t p = 0; p < count; ++p) {
-    const auto n = static_cast<std::size_t>(order[p].source);
-    after.set(static_cast<int>(p),
-              n < stay.size() ? before.record(stay[n]) : arrived[n - stay.size()]);
-  }
-  after.copy_to(sorted);
+  // A field at a time: nobody needs room for whole particles on their way.
+  Particles<grid::Device> sorted;
+  for_each_field(
+      [&](const Field& field, const auto& given, auto& view) {
+        const std::size_t numbers = numbers_anywhere(communicator, field, given);
+        if (numbers == 0) return;
+        const auto arrived = exchange_values(communicator, leave, given.data(), numbers);
+        allocate(view, field.name, count, numbers);
+        const auto host = Kokkos::create_mirror_view(view);
+        for (std::size_t p = 0; p < count; ++p) {
+          const std::size_t n = order[p].source;
+          const auto* const from = n < stay.size()
+                                       ? given.data() + numbers * static_cast<std::size_t>(stay[n])
+                                       : arrived.data() + numbers * (n - stay.size());
+          std::copy_n(from, numbers, host.data() + numbers * p);
+        }
+        Kokkos::deep_copy(view, host);
+      },
+      before, sorted);
+  allocate(sorted.element_begin, "element_begin", begin.size());
   const auto element_begin = Kokkos::create_mirror_view(sorted.element_begin);
   std::copy(begin.begin(), begin.end(), element_begin.data());
   Kokkos::deep_copy(sorted.element_begin, element_begin);

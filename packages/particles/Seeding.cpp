@@ -7,16 +7,9 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/particles/Fields.hpp"
 
 namespace stroma::particles {
-namespace {
-
-template <class View>
-void allocate(View& view, const char* name, std::size_t count) {
-  view = View(Kokkos::view_alloc(std::string(name), Kokkos::WithoutInitializing), count);
-}
-
-}  // namespace
 
 deck::Section<ParticleParameters> particles_section() {
   deck::Section<ParticleParameters> section(
@@ -146,11 +139,12 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
   });
 
   Particles<grid::Device> particles;
-  const auto n = static_cast<std::size_t>(count);
-  allocate(particles.position, "position", n);
-  allocate(particles.volume, "volume", n);
-  allocate(particles.material, "material", n);
-  allocate(particles.id, "id", n);
+  for_each_field(
+      [&](const Field& field, auto& view) {
+        if (field.presence == Presence::always)
+          allocate(view, field.name, static_cast<std::size_t>(count));
+      },
+      particles);
   allocate(particles.element_begin, "element_begin",
            static_cast<std::size_t>(elements.count() + 1));
   const auto position = Kokkos::create_mirror_view(particles.position);

@@ -27,6 +27,15 @@ struct ParticleFields {
         energy(Kokkos::view_alloc("energy", Kokkos::WithoutInitializing), count) {}
 };
 
+/// Calls visit(view of the first, view of the second ...) for each of the results.
+template <class Visit, class... Fields>
+void for_each_result(const Visit& visit, Fields&&... fields) {
+  visit(fields.displacement...);
+  visit(fields.stress...);
+  visit(fields.jacobian...);
+  visit(fields.energy...);
+}
+
 /// Fills ParticleFields, whose entry 0 is the particle `first`: u_p = u_base + sum_I N_I U_I, and
 /// the law at H, its energy of volume at the element's mean dilatation where that is asked for.
 /// Each particle is written by its own element alone: nothing is atomic.

@@ -10,6 +10,7 @@
 #include "stroma/base/Log.hpp"
 #include "stroma/base/Memory.hpp"
 #include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/particles/Fields.hpp"
 #include "stroma/solver/Preconditioner.hpp"
 
 namespace stroma {
@@ -17,6 +18,8 @@ namespace {
 
 using base::format;
 using base::readable_bytes;
+using particles::bytes_of_particle;
+using particles::Presence;
 
 constexpr double largest_count = std::numeric_limits<int>::max();
 
@@ -61,8 +64,12 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   MemoryEstimate estimate{};
   estimate.image = (parameters.image.phantom ? 4.0 : 12.0) * counts.voxels;
   const bool is_sorted = parameters.grid.shape_functions != grid::ShapeFunctions::linear;
-  estimate.seeding = 8.0 * counts.voxels + (is_sorted ? 106.0 : 41.0) * counts.particles;
-  estimate.particles = (resets ? 2.0 * 145.0 + 41.0 : 41.0) * counts.particles;
+  const double seeded = bytes_of_particle({Presence::always});
+  const double moving = bytes_of_particle({Presence::always, Presence::where_particles_move});
+  constexpr double order = 24.0;  // of a particle, while particles are sorted
+  estimate.seeding =
+      8.0 * counts.voxels + (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles;
+  estimate.particles = (resets ? 2.0 * moving + seeded : seeded) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =
       resets ? 2.0 * 88.0 * counts.particles : 88.0 * counts.particles / counts.layers;

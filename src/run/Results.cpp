@@ -9,6 +9,7 @@
 #include "run/BoundsTable.hpp"
 #include "run/HomeOrder.hpp"
 #include "run/MovingSupports.hpp"
+#include "run/ShownFields.hpp"
 #include "stroma/base/Memory.hpp"
 #include "stroma/base/Session.hpp"
 #include "stroma/base/Stage.hpp"
@@ -99,36 +100,50 @@ void Results::write(output::HistoryRow row, const mechanics::MomentumBalance& ba
 
 namespace {
 
-output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields) {
-  return {fields.displacement.data(), fields.stress.data(), fields.jacobian.data(),
-          fields.energy.data()};
+/// \param first  of the shown values: the particle that the fields begin with
+output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields,
+                               const std::vector<ShownValues>& shown, int first = 0) {
+  output::ParticleState state{fields.displacement.data(), fields.stress.data(),
+                              fields.jacobian.data(), fields.energy.data()};
+  for (const ShownValues& one : shown) state.fields.push_back(one.values.data() + first);
+  return state;
 }
 
 }  // namespace
 
 output::StatePieces Results::states(const mechanics::MomentumBalance& balance,
                                     const grid::Vector& u) const {
+  auto shown = shown_fields(communicator_, balance.particles());
   if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
-    const auto fields = in_home_order(communicator_, balance.particles(),
-                                      balance.particle_fields(u), specimen_->particles.count());
-    return [fields](const auto& use) {  // the fields live as long as the pieces may be asked for
-      output::in_one_piece(static_cast<std::int64_t>(fields.jacobian.extent(0)),
-                           state_of(fields))(use);
+    const int count = specimen_->particles.count();
+    const HomeOrder home(communicator_, balance.particles(), count);
+    const transfer::ParticleFields<grid::Device> here = balance.particle_fields(u);
+    transfer::ParticleFields<grid::Device> fields(0);
+    transfer::for_each_result([&](auto& at_home, const auto& view) { at_home = home(view); },
+                              fields, here);
+    for (ShownValues& one : shown) one.values = home(one.values);
+    return [fields, shown, count](const auto& use) {  // they live as long as the pieces may be
+      output::in_one_piece(count, state_of(fields, shown))(use);  // asked for
     };
   }
-  return [layers = balance.field_layers(u)](const auto& use) {
+  return [layers = balance.field_layers(u), shown](const auto& use) {
     layers([&](int first, const transfer::ParticleFields<grid::Device>& fields) {
-      use(first, static_cast<std::int64_t>(fields.jacobian.extent(0)), state_of(fields));
+      use(first, static_cast<std::int64_t>(fields.jacobian.extent(0)),
+          state_of(fields, shown, first));
     });
   };
 }
 
 void Results::write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u) {
   const base::Stage stage("output");
-  if (!particle_file_)
+  if (!particle_file_) {
+    std::vector<output::ShownField> fields;
+    for (const ShownValues& one : shown_fields(communicator_, balance.particles()))
+      fields.push_back(one.field);
     particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                            output::history_columns(conditions_, materials_), provenance_,
-                           deck_->parameters.output.precision);
+                           deck_->parameters.output.precision, fields);
+  }
   particle_file_->write(rows_.back().load, particle_set(), states(balance, u),
                         output::history_values(rows_.back()));
   particles_step_ = rows_.back().step;

@@ -10,36 +10,15 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
-#include "stroma/tensor/PrincipalValues.hpp"
-#include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::output {
 namespace {
 
-const std::vector<std::string> nodal_variables = {"displacement_x", "displacement_y",
-                                                  "displacement_z"};
-
-const std::vector<std::string> element_variables = {
-    "displacement_x",     "displacement_y",     "displacement_z",    "von_mises",
-    "stress_xx",          "stress_yy",          "stress_zz",         "stress_xy",
-    "stress_yz",          "stress_zx",          "jacobian",          "strain_energy_density",
-    "principal_stress_1", "principal_stress_2", "principal_stress_3"};
-
-/// Values of the element variables of particle p, in their order; entry v goes to out[v * stride].
-void evaluate(const ParticleState& state, std::int64_t p, double* out, std::int64_t stride) {
-  const double* s = state.stress + 6 * p;
-  const tensor::Tensor3 stress{{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
-  const auto put = [&out, stride](double value) {
-    *out = value;
-    out += stride;
-  };
-  for (int i = 0; i < 3; ++i) put(state.displacement[3 * p + i]);
-  put(tensor::von_mises(stress));
-  for (int i = 0; i < 6; ++i) put(s[i]);
-  put(state.jacobian[p]);
-  put(state.strain_energy_density[p]);
-  const tensor::PrincipalValues principal = tensor::principal_values(stress);
-  for (int i = 0; i < 3; ++i) put(principal(i));
+std::vector<std::string> names(const std::vector<ParticleVariable>& variables, bool at_nodes) {
+  std::vector<std::string> names;
+  for (const ParticleVariable& variable : variables)
+    if (!at_nodes || variable.at_nodes) names.push_back(variable.name);
+  return names;
 }
 
 /// Calls use(members) for the particles of one material among those from `first` to `end`, in
@@ -126,11 +105,12 @@ std::size_t longest(const std::vector<std::string>& names) {
 ParticleFile::ParticleFile(const base::Communicator& communicator, const std::string& path,
                            const ParticleSet& particles, std::vector<std::string> materials,
                            std::vector<std::string> global_variables, const Provenance& provenance,
-                           Precision precision)
+                           Precision precision, const std::vector<ShownField>& fields)
     : communicator_(communicator),
       path_(spread_file_name(path, communicator.size(), communicator.rank())),
       materials_(materials.size()),
       globals_(global_variables.size()),
+      variables_(particle_variables(fields)),
       count_(particles.count) {
   ParallelPart part;
   part.ranks = communicator_.size();
@@ -182,8 +162,8 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
       before += counts[m];
     }
     file.put_variable_names(EX_GLOBAL, global_variables);
-    if (count_ > 0) file.put_variable_names(EX_NODAL, nodal_variables);
-    file.put_variable_names(EX_ELEM_BLOCK, element_variables);
+    if (count_ > 0) file.put_variable_names(EX_NODAL, names(variables_, true));
+    file.put_variable_names(EX_ELEM_BLOCK, names(variables_, false));
     file.close();
   });
 }
@@ -211,23 +191,37 @@ void ParticleFile::write(double load, const ParticleSet& particles, const StateP
     }
     std::vector<std::int64_t> start(materials_, 1);  // next element of each block
     std::vector<double> buffer;
-    const auto variables = static_cast<int>(element_variables.size());
+    const auto columns = static_cast<std::int64_t>(variables_.size());
     states([&](std::int64_t first, std::int64_t count, const ParticleState& state) {
-      for (int axis = 0; axis < 3; ++axis)
+      int at_nodes = 0;
+      for (const ParticleVariable& variable : variables_) {
+        if (!variable.at_nodes) continue;
+        ++at_nodes;
         ExodusFile::in_pieces<double>(
-            count, [&](std::int64_t p) { return state.displacement[3 * p + axis]; },
+            count,
+            [&](std::int64_t p) {
+              return variable.value({state, p});
+            },
             [&](std::int64_t begin, std::int64_t size, const double* values) {
-              file.put_piece(step, EX_NODAL, axis + 1, 1, first + begin, size, values);
+              file.put_piece(step, EX_NODAL, at_nodes, 1, first + begin, size, values);
             });
+      }
       for (std::size_t m = 0; m < materials_; ++m) {
         for_members(particles, m, first, first + count, [&](const auto& members) {
           const auto size = static_cast<std::int64_t>(members.size());
-          buffer.resize(static_cast<std::size_t>(size * variables));
-          double* column = buffer.data();
-          for (const std::int64_t p : members) evaluate(state, p - first, column++, size);
-          for (int v = 0; v < variables; ++v)
-            file.put_piece(step, EX_ELEM_BLOCK, v + 1, static_cast<std::int64_t>(m + 1), start[m],
-                           size, buffer.data() + v * size);
+          buffer.resize(static_cast<std::size_t>(size * columns));
+          for (std::int64_t n = 0; n < size; ++n) {
+            const ParticleAt particle(state, members[static_cast<std::size_t>(n)] - first);
+            double* value = buffer.data() + n;
+            for (const ParticleVariable& variable : variables_) {
+              *value = variable.value(particle);
+              value += size;
+            }
+          }
+          for (std::int64_t v = 0; v < columns; ++v)
+            file.put_piece(step, EX_ELEM_BLOCK, static_cast<int>(v) + 1,
+                           static_cast<std::int64_t>(m + 1), start[m], size,
+                           buffer.data() + v * size);
           start[m] += size;
         });
       }

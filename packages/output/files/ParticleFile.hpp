@@ -13,6 +13,7 @@
 
 #include "stroma/base/Communicator.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
+#include "stroma/output/files/ParticleVariables.hpp"
 
 namespace stroma::output {
 
@@ -23,14 +24,6 @@ struct ParticleSet {
   const double* volume = nullptr;          ///< (particle) reference volume [um^3]
   const std::int64_t* id = nullptr;        ///< (particle) global number, from 0
   const std::uint8_t* material = nullptr;  ///< (particle) index into the list of materials
-};
-
-/// What a step changes on the particles of one rank, in the order of the ParticleSet.
-struct ParticleState {
-  const double* displacement = nullptr;           ///< (particle, xyz) [um]
-  const double* stress = nullptr;                 ///< (particle, xx yy zz xy yz zx) Cauchy [Pa]
-  const double* jacobian = nullptr;               ///< (particle) det F [-]
-  const double* strain_energy_density = nullptr;  ///< (particle) W per reference volume [Pa]
 };
 
 /// Hands out the states of all particles of a rank in pieces: calls use(first, count, state) for
@@ -51,10 +44,9 @@ StatePieces in_one_piece(std::int64_t count, const ParticleState& state);
 /// volume [um], and `volume`, the reference volume [um^3]. Coordinates of an Exodus file cannot
 /// change in time, so the nodes stand at the reference positions and `displacement_x/y/z` exists
 /// twice: as a nodal variable, by which ParaView ("Apply Displacements", on by default) shows the
-/// particle at its current position, and as an element variable like the others: `von_mises`,
-/// `stress_xx/yy/zz/xy/yz/zx` (Cauchy), `jacobian`, `strain_energy_density`,
-/// `principal_stress_1/2/3` (descending) [um, Pa, -]. Global variables: a row of history.csv. The
-/// time of a step is its load factor.
+/// particle at its current position, and as an element variable like the others
+/// (ParticleVariables.cpp). Global variables: a row of history.csv. The time of a step is its load
+/// factor.
 ///
 /// netCDF-4 with 64-bit integers. Nothing is kept but one buffer of bounded size, and the file is
 /// closed between steps, so that a killed run leaves a readable file and a running one can be
@@ -69,11 +61,12 @@ class ParticleFile {
   /// \param global_variables  names of the global variables: history_columns()
   /// \param provenance        title, version and deck, kept in the file
   /// \param precision         of the numbers in it
+  /// \param fields            those of the states, in their order; the same on all ranks
   /// \throws RunError on all ranks, naming the file and what could not be written
   ParticleFile(const base::Communicator& communicator, const std::string& path,
                const ParticleSet& particles, std::vector<std::string> materials,
                std::vector<std::string> global_variables, const Provenance& provenance,
-               Precision precision = Precision::Double);
+               Precision precision = Precision::Double, const std::vector<ShownField>& fields = {});
 
   /// Adds one step. Collective.
   /// \param particles  the same particles, in the same order, as at construction
@@ -92,6 +85,7 @@ class ParticleFile {
   std::string path_;  ///< of this rank's own file
   std::size_t materials_;
   std::size_t globals_;
+  std::vector<ParticleVariable> variables_;
   std::int64_t count_;
   int steps_ = 0;
 };

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// Every field of a particle, once; and what is done to each of them alike.
+
+#include <Kokkos_Core.hpp>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+
+#include "stroma/particles/Particles.hpp"
+
+namespace stroma::particles {
+
+/// Which bodies' particles have a field.
+enum class Presence {
+  always,
+  where_particles_move,  ///< across the grid, or with a displacement of their own (make_movable)
+};
+
+/// What a step does to it.
+enum class Change {
+  none,
+  with_the_grid  ///< particles that move have another value then (transfer::Advance)
+};
+
+struct Field {
+  const char* name;
+  const char* unit;
+  Presence presence;
+  Change change = Change::none;
+  bool is_shown = false;  ///< in particles.e, under its name; of fields of one double
+};
+
+/// Calls visit(Field, view) for each field of a set of particles; of several sets, whose views may
+/// live in different memories, visit(Field, view of the first, view of the second ...). A member of
+/// Particles that has a value of each particle has a line here.
+template <class Visit, class... Sets>
+void for_each_field(const Visit& visit, Sets&&... sets) {
+  using P = Presence;
+  visit(Field{"position", "um", P::always, Change::with_the_grid}, sets.position...);
+  visit(Field{"volume", "um^3", P::always}, sets.volume...);
+  visit(Field{"material", "-", P::always}, sets.material...);
+  visit(Field{"id", "-", P::always}, sets.id...);
+  visit(Field{"base_displacement", "um", P::where_particles_move, Change::with_the_grid},
+        sets.base_displacement...);
+  visit(Field{"base_gradient", "-", P::where_particles_move, Change::with_the_grid},
+        sets.base_gradient...);
+  visit(Field{"home", "-", P::where_particles_move}, sets.home...);
+}
+
+/// Numbers that a field has of each particle; they stand one after the other.
+template <class View>
+std::size_t numbers_of(const View& field) {
+  std::size_t numbers = 1;
+  for (unsigned r = 1; r < static_cast<unsigned>(View::rank); ++r) numbers *= field.extent(r);
+  return numbers;
+}
+
+/// Makes room for a field of `count` particles; what is in it is not set.
+template <class View>
+void allocate(View& field, const char* name, std::size_t count,
+              std::size_t numbers = numbers_of(View())) {
+  const auto unset = Kokkos::view_alloc(std::string(name), Kokkos::WithoutInitializing);
+  if constexpr (static_cast<int>(View::rank_dynamic) == 2)
+    field = View(unset, count, numbers);
+  else
+    field = View(unset, count);
+}
+
+/// Particles where the host's loops read and write them. Where that is the memory of the kernels
+/// too, the views are the same.
+using HostParticles =
+    Particles<Kokkos::Device<Kokkos::DefaultHostExecutionSpace, Kokkos::HostSpace>>;
+
+/// The fields on the host, but for element_begin.
+template <class Device>
+HostParticles on_host(const Particles<Device>& particles) {
+  HostParticles host;
+  for_each_field(
+      [](const Field&, auto& copy, const auto& field) {
+        copy = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), field);
+      },
+      host, particles);
+  return host;
+}
+
+/// Bytes of a particle that has the fields of these kinds of presence.
+inline std::size_t bytes_of_particle(std::initializer_list<Presence> kinds) {
+  std::size_t bytes = 0;
+  for_each_field(
+      [&](const Field& field, const auto& view) {
+        for (const Presence kind : kinds)
+          if (field.presence == kind) bytes += numbers_of(view) * sizeof(*view.data());
+      },
+      HostParticles());
+  return bytes;
+}
+
+/// The same particles, with room of their own for what a step changes.
+template <class Device>
+Particles<Device> with_room_to_move(const Particles<Device>& particles) {
+  Particles<Device> moved = particles;
+  for_each_field(
+      [&](const Field& field, auto& view) {
+        if (field.change == Change::with_the_grid)
+          allocate(view, field.name, static_cast<std::size_t>(particles.count()));
+      },
+      moved);
+  return moved;
+}
+
+}  // namespace stroma::particles
