@@ -176,7 +176,7 @@ void require_voxel_size(const ImageSummary& summary) {
 
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
                         const std::string& folder, ImageSummary* wanted_summary,
-                        const BeforeReading& before_reading) {
+                        const BeforeReading& before_reading, IntensityVolume* intensities) {
   ImageSummary summary;
   LabelVolume labels;
   if (parameters.phantom) {
@@ -194,6 +194,7 @@ LabelVolume read_labels(const base::Communicator& communicator, const ImageParam
           require_voxel_size(found);
           if (before_reading) before_reading(found);
         });
+    if (intensities) *intensities = volume;
     try {
       labels = segment(communicator, std::move(volume), parameters.segmentation, summary);
     } catch (const base::InputError& error) {  // thrown on all ranks alike

@@ -51,10 +51,13 @@ void require_voxel_size(const ImageSummary& summary);
 /// \param folder          of the deck, to which the file's name is relative
 /// \param summary         if not null, filled with what was found
 /// \param before_reading  called with what the headers say, before values are read
+/// \param intensities     if not null, receives the file's values, before smoothing; of a phantom it
+///                        stays empty
 /// \throws base::InputError as read_volume, and when the voxel size is unknown, a label is not an
 ///   integer or below -1, an intensity is not finite, or Otsu's method meets a single value
 LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
                         const std::string& folder, ImageSummary* summary = nullptr,
-                        const BeforeReading& before_reading = {});
+                        const BeforeReading& before_reading = {},
+                        IntensityVolume* intensities = nullptr);
 
 }  // namespace stroma::image

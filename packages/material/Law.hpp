@@ -30,6 +30,16 @@
 ///     double energy(const Tensor3& H, double energy_of_volume) const;
 ///     Tensor3 kirchhoff_stress(const Tensor3& H, double log_j, const VolumetricStress&) const;
 ///     Tangent tangent(const Tensor3& H, double log_j, const VolumetricStress&) const;
+///     // only of a law whose stiffness may differ from particle to particle: the same material with
+///     // this mu of small strain [Pa]; all moduli in proportion, so that Poisson's ratio stays
+///     L with_shear_modulus(double mu) const;
+///     // only of a law that remembers: its numbers of history and those that a particle has by now,
+///     // of the last accepted step and zeros before the first; energies and stresses may read them
+///     static constexpr int states = ...;
+///     double state[states] = {};
+///     // what a step makes of them once it is accepted; ln J of the particle, and of its volume as
+///     // energies of volume take it (the same, but for mean dilatation)
+///     void new_state(const Tensor3& H, double log_j, double log_of_volume, double* next) const;
 ///     // in the deck; a law of an application's own goes without
 ///     static const char* name();
 ///     static const char* meaning();
@@ -40,6 +50,9 @@
 /// residual sum_p V0 tau grad N differentiates to. The volume's part is given, for it may be that
 /// of an element's mean; it adds p I to tau and M I x I - 2 p I4 to c, I4 the symmetric identity.
 /// docs/extending.md adds one step by step.
+
+#include <type_traits>
+#include <utility>
 
 #include "stroma/material/Tangents.hpp"
 #include "stroma/material/VolumetricEnergy.hpp"
@@ -57,7 +70,31 @@ struct SmallStrainModuli {
   KOKKOS_INLINE_FUNCTION double poisson_ratio() const {
     return (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
   }
+  /// With another mu and the same ratio K / mu.
+  KOKKOS_INLINE_FUNCTION SmallStrainModuli with_shear_modulus(double mu) const {
+    return {mu, bulk * (mu / shear)};
+  }
 };
+
+/// Numbers of history of a particle that obeys a law; 0 where the law does not say.
+template <class Law, class = void>
+constexpr int states_of = 0;
+template <class Law>
+constexpr int states_of<Law, std::void_t<decltype(Law::states)>> = Law::states;
+
+/// Whether a law has with_shear_modulus().
+template <class Law, class = void>
+constexpr bool may_vary_in_stiffness = false;
+template <class Law>
+constexpr bool may_vary_in_stiffness<
+    Law, std::void_t<decltype(std::declval<const Law&>().with_shear_modulus(1.0))>> = true;
+
+/// Gives a law the history of a particle, states_of<Law> numbers.
+template <class Law>
+KOKKOS_INLINE_FUNCTION void recall(Law& law, const double* history) {
+  if constexpr (states_of < Law >> 0)
+    for (int n = 0; n < states_of<Law>; ++n) law.state[n] = history[n];
+}
 
 /// K = 2 mu (1 + nu) / (3 (1 - 2 nu))  [Pa].
 inline double bulk_modulus(double shear_modulus, double poisson_ratio) {

@@ -121,7 +121,15 @@ deck::Section<MaterialsParameters> materials_section() {
   material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
                     "Mass density, for forces per mass and for Deformation Gradient = Projected "
                     "Displacement; there, materials without it count as equally dense.");
+  material.section(material_fields_section(), &MaterialParameters::fields);
   material.check(check_numbers);
+  material.check([](const MaterialParameters& p, deck::Findings& findings) {
+    if (!p.fields || model_of(p).may_vary_in_stiffness) return;
+    for (const auto& [name, field] : p.fields->fields)
+      if (field.number == VaryingNumber::shear_modulus)
+        findings.add("Fields|" + name, std::string(name_of(field.number)) +
+                                           " is no parameter of Model = " + model_of(p).name);
+  });
 
   deck::Section<MaterialsParameters> section("Materials",
                                              "One sublist for each material, named by the user.");
@@ -154,6 +162,23 @@ std::vector<AnyLaw> laws(const NamedMaterials& materials) {
   std::vector<AnyLaw> laws;
   for (const auto& named : materials) laws.push_back(model_of(named.second).law(named.second));
   return laws;
+}
+
+bool vary_in_stiffness(const NamedMaterials& materials) {
+  return std::any_of(materials.begin(), materials.end(), [](const auto& named) {
+    return named.second.fields && named.second.fields->of(VaryingNumber::shear_modulus);
+  });
+}
+
+std::function<double(int, double)> shear_modulus_of(const NamedMaterials& materials) {
+  std::vector<double> own;
+  for (const AnyLaw& law : laws(materials)) own.push_back(law.small_strain().shear);
+  return [materials, own](int material, double intensity) {
+    const auto m = static_cast<std::size_t>(material);
+    const auto& fields = materials[m].second.fields;
+    const FieldParameters* field = fields ? fields->of(VaryingNumber::shear_modulus) : nullptr;
+    return field ? field->at(intensity) : own[m];
+  };
 }
 
 std::map<std::int32_t, int> material_of_label(const NamedMaterials& materials) {

@@ -6,6 +6,7 @@
 /// The deck section "Materials": what each label of the image is made of.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "stroma/deck/Section.hpp"
 #include "stroma/material/AnyLaw.hpp"
+#include "stroma/material/MaterialFields.hpp"
 
 namespace stroma::material {
 
@@ -25,6 +27,7 @@ struct MaterialParameters {
   std::map<std::string, double> numbers;
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
+  std::optional<MaterialFields> fields;
 };
 
 /// Materials as the user named and ordered them. A material's place in the list is its index.
@@ -41,6 +44,13 @@ double largest_poisson_ratio(const NamedMaterials& materials);
 
 /// The law of each material, by index.
 std::vector<AnyLaw> laws(const NamedMaterials& materials);
+
+/// Whether the shear modulus of a material varies within it.
+bool vary_in_stiffness(const NamedMaterials& materials);
+
+/// The shear modulus of a particle [Pa]: by the material's field, or the material's own.
+std::function<double(int material, double intensity)> shear_modulus_of(
+    const NamedMaterials& materials);
 
 /// The index of the material of each label.
 std::map<std::int32_t, int> material_of_label(const NamedMaterials& materials);

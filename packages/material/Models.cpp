@@ -58,6 +58,7 @@ Model model_of() {
   Model model;
   model.name = Law::name();
   model.meaning = Law::meaning();
+  model.may_vary_in_stiffness = material::may_vary_in_stiffness<Law>;
   Describing<Law> description(model);
   Law::declare(description);
   model.law = [](const MaterialParameters& given) -> AnyLaw {

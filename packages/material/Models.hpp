@@ -25,6 +25,7 @@ struct Model {
   std::string name, meaning;
   std::vector<ModelNumber> numbers;
   bool has_volumetric_energy = false;
+  bool may_vary_in_stiffness = false;  ///< "Shear Modulus [Pa]" may be a field
   /// The law with a material's numbers, all of which must be there.
   std::function<AnyLaw(const MaterialParameters&)> law;
 

@@ -14,11 +14,13 @@
 namespace stroma::material {
 
 /// One of several laws, with the contract of a law itself (Law.hpp) and the full tangent. A tagged
-/// union, trivially copyable, without virtual calls: it lives in views of any memory space.
+/// union, trivially copyable, without virtual calls: it lives in views of any memory space. Its
+/// kernels ask each particle for what it has of its own (transfer::law_at).
 template <class... Laws>
 class OneOf {
  public:
   using Tangent = FullTangent;
+  static constexpr int states = std::max({states_of<Laws>...});
 
   template <class Law, class = std::enable_if_t<(std::is_same_v<Law, Laws> || ...)>>
   OneOf(const Law& law) : which_(index_of<Law>()) {
@@ -41,9 +43,34 @@ class OneOf {
   KOKKOS_INLINE_FUNCTION const Law& as() const {
     return *reinterpret_cast<const Law*>(storage_);
   }
+  template <class Law>
+  KOKKOS_INLINE_FUNCTION Law& as() {
+    return *reinterpret_cast<Law*>(storage_);
+  }
 
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return visit([](const auto& law) { return law.small_strain(); });
+  }
+  /// Itself where the law is none whose stiffness may differ.
+  KOKKOS_INLINE_FUNCTION OneOf with_shear_modulus(double mu) const {
+    return visit([&](const auto& law) -> OneOf {
+      if constexpr (may_vary_in_stiffness<std::decay_t<decltype(law)>>)
+        return law.with_shear_modulus(mu);
+      else
+        return law;
+    });
+  }
+  KOKKOS_INLINE_FUNCTION void recall(const double* history) {
+    (void)((which_ == index_of<Laws>() ? (material::recall(as<Laws>(), history), true) : false) ||
+           ...);
+  }
+  KOKKOS_INLINE_FUNCTION void new_state(const Tensor3& H, double log_j, double log_of_volume,
+                                        double* next) const {
+    visit([&](const auto& law) {
+      if constexpr (states_of < std::decay_t < decltype(law) >>> 0)
+        law.new_state(H, log_j, log_of_volume, next);
+      return 0;
+    });
   }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
     return visit([=](const auto& law) { return law.energy_of_volume(log_j); });
@@ -75,5 +102,17 @@ class OneOf {
   alignas(std::max({alignof(Laws)...})) unsigned char storage_[std::max({sizeof(Laws)...})];
   int which_ = 0;
 };
+
+template <class... Laws>
+KOKKOS_INLINE_FUNCTION void recall(OneOf<Laws...>& law, const double* history) {
+  law.recall(history);
+}
+
+/// Whether kernels ask for a law particle by particle: for one that remembers, and for OneOf. A
+/// single law that is not, such as NeoHookean, is that of the material alone.
+template <class Law>
+constexpr bool is_asked_by_particle = states_of<Law> > 0;
+template <class... Laws>
+constexpr bool is_asked_by_particle<OneOf<Laws...>> = true;
 
 }  // namespace stroma::material

@@ -139,7 +139,7 @@ transfer::BoundaryPointSet<grid::Device> boundary_points(
 
 double stiffest_modulus(const Problem& problem) {
   double stiffest = 0.0;
-  for (const material::SmallStrainModuli& moduli : problem.laws.moduli)
+  for (const material::SmallStrainModuli& moduli : problem.laws.range())
     stiffest = std::max(stiffest, moduli.uniaxial_strain());
   return stiffest;
 }

@@ -8,7 +8,7 @@ Laws::Laws(const LawList& laws)
     : kernels([laws](grid::ShapeFunctions shape_functions, bool flat) {
         return stress_kernels(laws, shape_functions, flat);
       }) {
-  for (const material::AnyLaw& law : laws) moduli.push_back(law.small_strain());
+  for (const material::AnyLaw& law : laws.of_material) moduli.push_back(law.small_strain());
 }
 
 }  // namespace stroma::mechanics

@@ -15,22 +15,28 @@
 namespace stroma::mechanics {
 
 /// Of each material its moduli; of all together the kernels that know their stress. The laws that a
-/// deck may name convert to this; an application with a law of its own gives the two members
+/// deck may name convert to this; an application with a law of its own gives the first two members
 /// (docs/extending.md).
 struct Laws {
   std::vector<material::SmallStrainModuli> moduli;  ///< (material)
   std::function<std::shared_ptr<const StressKernels>(grid::ShapeFunctions, bool flat)> kernels;
+  /// The softest and stiffest that particles have, where those of a material differ; else empty.
+  std::vector<material::SmallStrainModuli> extremes;
 
   Laws() = default;
   Laws(const LawList& laws);
   /// \tparam Law  one of those that AnyLaw may be
   template <class Law>
-  Laws(const std::vector<Law>& laws) : Laws(LawList(laws.begin(), laws.end())) {}
+  Laws(const std::vector<Law>& laws) : Laws(LawList{{laws.begin(), laws.end()}}) {}
   /// Neo-Hookean ones, by their moduli.
   Laws(std::initializer_list<material::NeoHookean> laws)
-      : Laws(LawList(laws.begin(), laws.end())) {}
+      : Laws(LawList{{laws.begin(), laws.end()}}) {}
 
   std::size_t size() const { return moduli.size(); }
+  /// Moduli between which those of all particles lie: where scales are asked for.
+  const std::vector<material::SmallStrainModuli>& range() const {
+    return extremes.empty() ? moduli : extremes;
+  }
 };
 
 }  // namespace stroma::mechanics

@@ -63,7 +63,7 @@ Range displacements(const BoundaryCondition& condition, const grid::Grid& body) 
 void check_scales(const Problem& problem) {
   const grid::Grid& body = problem.body;
   Range moduli, lengths, densities;
-  for (const material::SmallStrainModuli& material : problem.laws.moduli)
+  for (const material::SmallStrainModuli& material : problem.laws.range())
     for (const double modulus : {material.shear, material.bulk}) moduli.add(modulus);
   for (int d = 0; d < 3; ++d) {
     lengths.add(body.spacing[static_cast<std::size_t>(d)]);

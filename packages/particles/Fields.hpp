@@ -17,7 +17,9 @@ namespace stroma::particles {
 /// Which bodies' particles have a field.
 enum class Presence {
   always,
-  where_particles_move,  ///< across the grid, or with a displacement of their own (make_movable)
+  where_particles_move,    ///< across the grid, or with a displacement of their own (make_movable)
+  where_stiffness_varies,  ///< within a material
+  where_laws_remember      ///< what happened to the particle
 };
 
 /// What a step does to it.
@@ -49,6 +51,9 @@ void for_each_field(const Visit& visit, Sets&&... sets) {
   visit(Field{"base_gradient", "-", P::where_particles_move, Change::with_the_grid},
         sets.base_gradient...);
   visit(Field{"home", "-", P::where_particles_move}, sets.home...);
+  visit(Field{"shear_modulus", "Pa", P::where_stiffness_varies, Change::none, true},
+        sets.shear_modulus...);
+  visit(Field{"history", "the law's", P::where_laws_remember}, sets.history...);
 }
 
 /// Numbers that a field has of each particle; they stand one after the other.
@@ -87,7 +92,7 @@ HostParticles on_host(const Particles<Device>& particles) {
   return host;
 }
 
-/// Bytes of a particle that has the fields of these kinds of presence.
+/// Bytes of a particle that has the fields of these kinds of presence, but for history.
 inline std::size_t bytes_of_particle(std::initializer_list<Presence> kinds) {
   std::size_t bytes = 0;
   for_each_field(
@@ -97,6 +102,15 @@ inline std::size_t bytes_of_particle(std::initializer_list<Presence> kinds) {
       },
       HostParticles());
   return bytes;
+}
+
+/// Gives particles a history of this many numbers, zeros, if they have none yet.
+template <class Device>
+void begin_history(Particles<Device>& particles, int numbers) {
+  const auto count = static_cast<std::size_t>(particles.count());
+  if (numbers == 0 || (count > 0 && particles.history.extent(0) == count)) return;
+  allocate(particles.history, "history", count, static_cast<std::size_t>(numbers));
+  Kokkos::deep_copy(particles.history, 0.0);
 }
 
 /// The same particles, with room of their own for what a step changes.

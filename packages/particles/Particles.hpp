@@ -35,6 +35,10 @@ struct Particles {
   Vector3 base_displacement;                     ///< u less what the nodes carry [um], or empty
   Tensor base_gradient;                          ///< H = F - I there [-], or empty
   Kokkos::View<std::int64_t*, Device> home;      ///< where results belong (Exchange.hpp), or empty
+  /// mu of small strain, in place of the material's [Pa], or empty.
+  Kokkos::View<double*, Device> shear_modulus;
+  /// (particle, number) What the material's law remembers of accepted steps, in its units, or empty.
+  Kokkos::View<double**, Kokkos::LayoutRight, Device> history;
 
   int count() const { return static_cast<int>(volume.extent(0)); }
 

@@ -70,7 +70,8 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
 Particles<grid::Device> seed(const base::Communicator& communicator,
                              const ParticleParameters& parameters, const grid::Partition& partition,
                              const image::LabelVolume& labels,
-                             const std::map<std::int32_t, int>& material_of_label) {
+                             const std::map<std::int32_t, int>& material_of_label,
+                             const std::vector<SeededField>& fields) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator.rank());
 
@@ -85,7 +86,7 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
   }
   const std::vector<std::int32_t> label_of_voxel = image::extract(communicator, labels, voxels);
 
-  // Visits every point of the rank, element by element: f(ix, iy, iz, label).
+  // Visits every point of the rank, element by element: f(ix, iy, iz, voxel).
   const auto for_each_point = [&](const grid::Index3& element, const auto& f) {
     const std::size_t e[3] = {static_cast<std::size_t>(element[0] - elements.begin[0]),
                               static_cast<std::size_t>(element[1] - elements.begin[1]),
@@ -98,7 +99,7 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
           };
           const std::int64_t position =
               voxel(0, ix) + voxels.count[0] * (voxel(1, iy) + voxels.count[1] * voxel(2, iz));
-          f(ix, iy, iz, label_of_voxel[static_cast<std::size_t>(position)]);
+          f(ix, iy, iz, static_cast<std::size_t>(position));
         }
   };
 
@@ -107,7 +108,8 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
     std::map<std::int32_t, std::int64_t> homeless;
     std::int32_t last = -1;
     grid::for_each_index(elements, [&](const grid::Index3& element) {
-      for_each_point(element, [&](int, int, int, std::int32_t label) {
+      for_each_point(element, [&](int, int, int, std::size_t voxel) {
+        const std::int32_t label = label_of_voxel[voxel];
         if (label < 0) return;
         ++count;
         if (label == last) return;
@@ -156,7 +158,8 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
   int p = 0;
   grid::for_each_index(elements, [&](const grid::Index3& element) {
     element_begin(elements.local(element)) = p;
-    for_each_point(element, [&](int ix, int iy, int iz, std::int32_t label) {
+    for_each_point(element, [&](int ix, int iy, int iz, std::size_t voxel) {
+      const std::int32_t label = label_of_voxel[voxel];
       if (label < 0) return;
       const std::size_t point[3] = {static_cast<std::size_t>(ix), static_cast<std::size_t>(iy),
                                     static_cast<std::size_t>(iz)};
@@ -173,6 +176,21 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
     });
   });
   element_begin(elements.count()) = p;
+  for (const SeededField& field : fields) {
+    auto& view = particles.*field.field;
+    allocate(view, "seeded", static_cast<std::size_t>(count));
+    const auto value = Kokkos::create_mirror_view(view);
+    const std::vector<double> intensity = image::extract(communicator, *field.intensities, voxels);
+    p = 0;
+    grid::for_each_index(elements, [&](const grid::Index3& element) {
+      for_each_point(element, [&](int, int, int, std::size_t voxel) {
+        if (label_of_voxel[voxel] < 0) return;
+        value(p) = field.value(material(p), intensity[voxel]);
+        ++p;
+      });
+    });
+    Kokkos::deep_copy(view, value);
+  }
 
   Kokkos::deep_copy(particles.position, position);
   Kokkos::deep_copy(particles.volume, volume);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -29,19 +30,30 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
                                                  const grid::Grid& grid,
                                                  const image::LabelVolume& labels);
 
+/// A field whose values follow from the voxels that the particles lie in.
+struct SeededField {
+  using Field = Kokkos::View<double*, grid::Device>;
+
+  Field Particles<grid::Device>::*field;
+  const image::IntensityVolume* intensities;
+  std::function<double(int material, double intensity)> value;
+};
+
 /// Particles in this rank's elements: position, reference volume, material index and id of each
-/// particle whose voxel is not empty (label -1). Ids number the full tensor product, x fastest, so
-/// that they do not depend on the ranks. Collective.
+/// particle whose voxel is not empty (label -1), and the fields asked for. Ids number the full
+/// tensor product, x fastest, so that they do not depend on the ranks. Collective.
 ///
 /// \param communicator       of the ranks that share the grid
 /// \param parameters         the deck's section
 /// \param partition          which elements are whose
 /// \param labels             of the voxels; -1: empty space
 /// \param material_of_label  index of the material of each label
+/// \param fields             besides what every particle has
 /// \throws base::InputError when a label has no material
 Particles<grid::Device> seed(const base::Communicator& communicator,
                              const ParticleParameters& parameters, const grid::Partition& partition,
                              const image::LabelVolume& labels,
-                             const std::map<std::int32_t, int>& material_of_label);
+                             const std::map<std::int32_t, int>& material_of_label,
+                             const std::vector<SeededField>& fields = {});
 
 }  // namespace stroma::particles

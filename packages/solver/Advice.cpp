@@ -17,13 +17,14 @@ namespace {
 double contrast(const mechanics::MomentumBalance& balance) {
   const auto moduli = grid::to_device("moduli", balance.problem().laws.moduli);
   const auto material = balance.particles().material;
+  const auto own = balance.particles().shear_modulus;
   using Extremes = Kokkos::MinMax<double>;
   Extremes::value_type found;
   Kokkos::parallel_reduce(
       "contrast",
       Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(material.extent(0))),
       KOKKOS_LAMBDA(const int p, Extremes::value_type& all) {
-        const double mu = moduli(material(p)).shear;
+        const double mu = own.extent(0) != 0 ? own(p) : moduli(material(p)).shear;
         if (mu < all.min_val) all.min_val = mu;
         if (mu > all.max_val) all.max_val = mu;
       },

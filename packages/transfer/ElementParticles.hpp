@@ -22,6 +22,7 @@ constexpr int no_particle = -1;
 template <class Shape>
 struct ParticlePoint {
   int p;                             ///< local number; no_particle: a fictitious point
+  int like;                          ///< the particle whose material it is of: itself, if it is one
   int material;                      ///< index of its law
   double volume;                     ///< V0 [um^3]
   double value[Shape::nodes];        ///< N_a [-]
@@ -158,7 +159,8 @@ struct ElementParticles : PointSet<Device> {
     gather(displacement, i, j, k, u);
     ParticlePoint<Shape> point;
     point.p = no_particle;
-    point.material = particles.material(particles.element_begin(element));
+    point.like = particles.element_begin(element);
+    point.material = particles.material(point.like);
     point.volume = static_cast<double>(fictitious_volume(element));
     shape::Place place = place_in(i, j, k);
     constexpr int w = Shape::width;
@@ -233,7 +235,7 @@ struct ElementParticles : PointSet<Device> {
   /// Everything about a particle; its place is given but for what put() sets.
   KOKKOS_INLINE_FUNCTION void set(int p, int i, int j, int k, const double u[3][Shape::nodes],
                                   shape::Place& place, ParticlePoint<Shape>& point) const {
-    point.p = p;
+    point.p = point.like = p;
     point.material = particles.material(p);
     point.volume = particles.volume(p);
     put(p, i, j, k, place);

@@ -7,7 +7,7 @@
 /// and the loops over points with stress and tangent by the one or the other.
 
 #include "stroma/material/Law.hpp"
-#include "stroma/transfer/ElementParticles.hpp"
+#include "stroma/transfer/LawAt.hpp"
 
 namespace stroma::transfer {
 
@@ -56,6 +56,14 @@ KOKKOS_INLINE_FUNCTION double log_mean_jacobian(const ElementParticles<Shape, De
   return log1p(elements.base_jacobian_minus_one(p)) + mean.log_change;
 }
 
+/// ln of the volume that a point's energy of volume is that of [-]: ln Jt, or its own ln J.
+template <class Shape, class Device>
+KOKKOS_INLINE_FUNCTION double log_of_volume(const ElementParticles<Shape, Device>& elements,
+                                            const MeanDilatation& mean,
+                                            const ParticlePoint<Shape>& point, double log_j) {
+  return mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j;
+}
+
 /// H of a particle as results show it and as a step leaves it to the next: of F (Jt/J)^(1/3), whose
 /// determinant is Jt. H itself where dilatation is pointwise, and where one of the two volumes is
 /// not positive, for then the step is rejected.
@@ -86,7 +94,7 @@ KOKKOS_FUNCTION MeanPressure mean_pressure(const ElementParticles<Shape, Device>
   const int element = elements.box.element(i, j, k);
   for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
     const material::VolumetricStress stress =
-        law(particles.material(p)).stress_of_volume(log_mean_jacobian(elements, mean, p));
+        law_at(law, particles, p).stress_of_volume(log_mean_jacobian(elements, mean, p));
     result.pressure += particles.volume(p) * stress.pressure;
     result.slope += particles.volume(p) * (stress.modulus - stress.pressure);
   }
@@ -111,7 +119,7 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const Law& material = law(point.material);
+    const auto& material = law_at(law, elements.particles, point);
     const double log_j = material::log_jacobian(point.H);
     visit(point,
           material.kirchhoff_stress(point.H, log_j,
@@ -132,7 +140,7 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   ParticlePoint<Shape> whole = {};
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const Law& material = law(point.material);
+    const auto& material = law_at(law, elements.particles, point);
     const double log_j = material::log_jacobian(point.H);
     material::VolumetricStress volume;
     if (mean.holds_for(point)) {

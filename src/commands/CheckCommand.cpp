@@ -22,9 +22,10 @@ namespace {
 
 using base::format;
 
-void check_image(const base::Communicator& communicator, const Deck& deck,
-                 const image::ImageSummary& summary, const image::LabelVolume& labels,
-                 const std::array<double, 3>& spacing, base::Log& log) {
+void check_image(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
+                 const image::LabelVolume& labels, base::Log& log) {
+  const image::ImageSummary& summary = specimen.image;
+  const std::array<double, 3>& spacing = specimen.body.spacing;
   log.line(format("image       %s: %s, %s", summary.path.empty() ? "phantom" : summary.path.c_str(),
                   summary.format.c_str(), summary.type.name().c_str()));
   log.line(format("size        %lld x %lld x %lld voxels", static_cast<long long>(labels.size[0]),
@@ -70,8 +71,8 @@ void check_image(const base::Communicator& communicator, const Deck& deck,
   for (const auto& [name, material] : deck.parameters.materials.materials)
     shares.push_back(fractions.count(material.label) > 0 ? fractions.at(material.label) : 0.0);
   for (const std::string& line :
-       bounds_table(deck.parameters.materials.materials, shares, deck.parameters.grid.plane_strain,
-                    fractions.count(-1) > 0))
+       bounds_table(deck.parameters.materials.materials, shares, specimen.extremes,
+                    deck.parameters.grid.plane_strain, fractions.count(-1) > 0))
     log.line(line);
   const image::Objects objects(communicator, labels, image::Connectivity::corners);
   log.line(format("objects     %lld (26-connected), the largest of %lld voxels",
@@ -107,11 +108,11 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
 
 void check_command(const base::Communicator& communicator, const Deck& deck, base::Log& log) {
   solver::try_lists(communicator, deck.parameters.solver);
-  image::ImageSummary summary;
-  const image::LabelVolume labels = read_labels(communicator, deck, summary);
-  const Specimen specimen = make_specimen(communicator, deck, labels, summary);
+  const SpecimenImage image = read_image(communicator, deck);
+  const image::LabelVolume& labels = image.labels;
+  const Specimen specimen = make_specimen(communicator, deck, image);
   const grid::Grid& grid = specimen.body;
-  check_image(communicator, deck, summary, labels, grid.spacing, log);
+  check_image(communicator, deck, specimen, labels, log);
 
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
                                            problem_of(deck, specimen));

@@ -18,6 +18,20 @@ std::string entry(double modulus, double of_one) {
   return format("%.4g Pa %+.2f %%", modulus, 100.0 * (modulus / of_one - 1.0));
 }
 
+/// The lower bounds of a mixture of the softest and the upper ones of one of the stiffest: both grow
+/// with the moduli.
+material::MixtureBounds between(const material::MixtureBounds& soft,
+                                const material::MixtureBounds& stiff) {
+  material::MixtureBounds bounds = stiff;
+  for (Bounds material::MixtureBounds::*of :
+       {&material::MixtureBounds::shear, &material::MixtureBounds::bulk,
+        &material::MixtureBounds::young}) {
+    (bounds.*of).reuss = (soft.*of).reuss;
+    (bounds.*of).lower = (soft.*of).lower;
+  }
+  return bounds;
+}
+
 std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one) {
   std::string line = format("            %-18s", modulus);
   for (double Bounds::*bound : {&Bounds::reuss, &Bounds::lower, &Bounds::upper, &Bounds::voigt})
@@ -28,26 +42,29 @@ std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one)
 }  // namespace
 
 std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
-                                      const std::vector<double>& shares, bool plane_strain,
-                                      bool has_empty_space) {
+                                      const std::vector<double>& shares,
+                                      const std::vector<material::SmallStrainModuli>& extremes,
+                                      bool plane_strain, bool has_empty_space) {
   const std::vector<material::AnyLaw> laws = material::laws(materials);
-  std::vector<material::Phase> phases;
+  std::vector<material::Phase> soft, stiff;
   std::string mixture;
   double total = 0.0;
   for (const double share : shares) total += share;
   std::size_t one = materials.size();  // the material that the gains refer to
   for (std::size_t m = 0; m < materials.size(); ++m) {
     if (!(shares[m] > 0.0)) continue;
-    phases.push_back({shares[m], laws[m].small_strain()});
+    const bool varies = !extremes.empty();
+    soft.push_back({shares[m], varies ? extremes[2 * m] : laws[m].small_strain()});
+    stiff.push_back({shares[m], varies ? extremes[2 * m + 1] : laws[m].small_strain()});
     mixture += format("%s%.4f %s", mixture.empty() ? "" : " + ", shares[m] / total,
                       materials[m].first.c_str());
     if (one == materials.size() || materials[m].second.label == 0) one = m;
   }
-  if (phases.size() < 2) return {};
+  if (soft.size() < 2 && extremes.empty()) return {};
 
   const auto bounds_of =
       plane_strain ? material::bounds_in_plane_strain : material::bounds_in_space;
-  const material::MixtureBounds bounds = bounds_of(phases),
+  const material::MixtureBounds bounds = between(bounds_of(soft), bounds_of(stiff)),
                                 alone = bounds_of({{1.0, laws[one].small_strain()}});
   std::vector<std::string> lines{
       format("bounds      of small strain, %s, and gain over %s",

@@ -17,11 +17,15 @@ namespace stroma {
 /// over one material: that of label 0, or the first with a share where label 0 has none.
 ///
 /// \param shares  of each material, in any unit (volume, fraction of the voxels)
+/// \param extremes  the softest and the stiffest of each material's particles (Specimen), or empty;
+///                  the lower bounds are then those of the softest, the upper ones of the stiffest,
+///                  and the gain is over the material with its own moduli
 /// \param plane_strain  of cylinders along z, else in three dimensions
 /// \param has_empty_space  a line says that the bounds are those of the solid without it
-/// \return  lines for the log; none where fewer than two materials have a share
+/// \return  lines for the log; none where fewer than two materials have a share and none varies
 std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
-                                      const std::vector<double>& shares, bool plane_strain,
-                                      bool has_empty_space);
+                                      const std::vector<double>& shares,
+                                      const std::vector<material::SmallStrainModuli>& extremes,
+                                      bool plane_strain, bool has_empty_space);
 
 }  // namespace stroma

@@ -20,6 +20,22 @@ std::string absolute(const deck::Document& document, const std::string& file) {
   return std::filesystem::absolute(document.resolve(file)).lexically_normal().string();
 }
 
+/// A material's fields ask for an image of intensities.
+void refuse_fields_without_intensities(const DeckParameters& p, deck::Findings& findings) {
+  using Method = image::SegmentationParameters::Method;
+  const std::string reason =
+      p.image.phantom ? "the specimen is a phantom, which has no intensities; admissible with "
+                        "Image|File"
+      : p.image.segmentation.method == Method::labels
+          ? "with Image|Segmentation|Method = Labels the image holds labels, not intensities"
+          : "";
+  if (reason.empty()) return;
+  for (const auto& [name, material] : p.materials.materials)
+    if (material.fields)
+      for (const auto& field : material.fields->fields)
+        findings.add("Materials|" + name + "|Fields|" + field.first, reason);
+}
+
 }  // namespace
 
 deck::Section<DeckParameters> deck_section() {
@@ -38,6 +54,7 @@ deck::Section<DeckParameters> deck_section() {
   section.section(solver::loading_section(), &DeckParameters::loading);
   section.section(solver::solver_section(), &DeckParameters::solver);
   section.section(output::output_section(), &DeckParameters::output);
+  section.check(refuse_fields_without_intensities);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {
       if (!force.acceleration) continue;

@@ -62,14 +62,18 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const double nodes = counts.nodes;
   const bool resets = parameters.grid.reset;
   MemoryEstimate estimate{};
-  estimate.image = (parameters.image.phantom ? 4.0 : 12.0) * counts.voxels;
+  const bool varies = material::vary_in_stiffness(parameters.materials.materials);
+  const double intensities = varies ? 8.0 : 0.0;  // of a voxel, kept beside its label
+  estimate.image = (parameters.image.phantom ? 4.0 : 12.0 + intensities) * counts.voxels;
   const bool is_sorted = parameters.grid.shape_functions != grid::ShapeFunctions::linear;
-  const double seeded = bytes_of_particle({Presence::always});
-  const double moving = bytes_of_particle({Presence::always, Presence::where_particles_move});
+  double seeded = bytes_of_particle({Presence::always});
+  if (varies) seeded += bytes_of_particle({Presence::where_stiffness_varies});
+  const double remembered = material::AnyLaw::states * sizeof(double);
+  const double moving = seeded + bytes_of_particle({Presence::where_particles_move}) + remembered;
   constexpr double order = 24.0;  // of a particle, while particles are sorted
-  estimate.seeding =
-      8.0 * counts.voxels + (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles;
-  estimate.particles = (resets ? 2.0 * moving + seeded : seeded) * counts.particles;
+  estimate.seeding = (8.0 + 2.0 * intensities) * counts.voxels +
+                     (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles;
+  estimate.particles = (resets ? 2.0 * moving + seeded : seeded + remembered) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =
       resets ? 2.0 * 88.0 * counts.particles : 88.0 * counts.particles / counts.layers;

@@ -250,8 +250,9 @@ void Results::print_bounds() const {
   }
   const grid::Grid& grid = specimen_->body;
   const double box = grid.length(0) * grid.length(1) * grid.length(2);
-  const auto lines = bounds_table(deck_->parameters.materials.materials, volumes,
-                                  deck_->parameters.grid.plane_strain, solid < box * (1.0 - 1e-9));
+  const auto lines =
+      bounds_table(deck_->parameters.materials.materials, volumes, specimen_->extremes,
+                   deck_->parameters.grid.plane_strain, solid < box * (1.0 - 1e-9));
   if (!lines.empty()) log_->line("");
   for (const std::string& line : lines) log_->line(line);
 }

@@ -79,11 +79,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   solver::try_lists(communicator, deck.parameters.solver);
 
   // Image stack -> labels -> particles on a grid.
-  std::optional<image::LabelVolume> labels;
-  image::ImageSummary summary;
-  labels = read_labels(communicator, deck, summary);
-  const Specimen specimen = make_specimen(communicator, deck, *labels, summary);
-  labels.reset();
+  std::optional<SpecimenImage> image = read_image(communicator, deck);
+  const Specimen specimen = make_specimen(communicator, deck, *image);
+  image.reset();
 
   mechanics::MovingBody body(communicator, specimen.partition, specimen.particles,
                              problem_of(deck, specimen));

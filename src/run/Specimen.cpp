@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "run/MemoryEstimate.hpp"
 #include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 #include "stroma/base/Stage.hpp"
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/image/ReadVolume.hpp"
 #include "stroma/image/labels/Fragments.hpp"
+#include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Migration.hpp"
 
 namespace stroma {
@@ -65,52 +69,103 @@ bool has_volume_forces(const mechanics::NamedForces& forces) {
                      [](const auto& named) { return !named.second.traction; });
 }
 
+/// The least and the greatest of the shear moduli of each material's particles, over all ranks, as
+/// moduli of small strain, one after the other; the material's own where it has no particles.
+std::vector<material::SmallStrainModuli> extremes_of(
+    const base::Communicator& communicator, const material::NamedMaterials& materials,
+    const particles::Particles<grid::Device>& particles) {
+  const std::vector<material::AnyLaw> laws = material::laws(materials);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> least(laws.size(), infinity), greatest(laws.size(), -infinity);
+  const particles::HostParticles host = particles::on_host(particles);
+  for (int p = 0; p < particles.count(); ++p) {
+    least[host.material(p)] = std::min(least[host.material(p)], host.shear_modulus(p));
+    greatest[host.material(p)] = std::max(greatest[host.material(p)], host.shear_modulus(p));
+  }
+  std::vector<material::SmallStrainModuli> extremes;
+  for (std::size_t m = 0; m < laws.size(); ++m) {
+    const material::SmallStrainModuli own = laws[m].small_strain();
+    const double softest = communicator.min(least[m]), stiffest = communicator.max(greatest[m]);
+    const bool has_particles = softest <= stiffest;
+    extremes.push_back(has_particles ? own.with_shear_modulus(softest) : own);
+    extremes.push_back(has_particles ? own.with_shear_modulus(stiffest) : own);
+  }
+  return extremes;
+}
+
+/// A line for each material whose stiffness varies.
+std::vector<std::string> stiffness_notes(const material::NamedMaterials& materials,
+                                         const std::vector<material::SmallStrainModuli>& extremes) {
+  std::vector<std::string> notes;
+  for (std::size_t m = 0; 2 * m < extremes.size(); ++m) {
+    const auto& [name, material] = materials[m];
+    if (material.fields && material.fields->of(material::VaryingNumber::shear_modulus))
+      notes.push_back(
+          base::format("%s: shear moduli of %.4g to %.4g Pa, by the image's intensities",
+                       name.c_str(), extremes[2 * m].shear, extremes[2 * m + 1].shear));
+  }
+  return notes;
+}
+
 }  // namespace
 
-image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
-                               image::ImageSummary& summary) {
+SpecimenImage read_image(const base::Communicator& communicator, const Deck& deck) {
   const base::Stage stage("image");
   const DeckParameters& p = deck.parameters;
-  image::LabelVolume labels = image::read_labels(
-      communicator, p.image, deck.document.folder(), &summary,
+  SpecimenImage image;
+  image::LabelVolume& labels = image.labels;
+  labels = image::read_labels(
+      communicator, p.image, deck.document.folder(), &image.summary,
       [&](const image::ImageSummary& found) {  // how much of it is empty, nobody knows yet
         const grid::Grid body = body_of(p, found.size, found.voxel_size.um);
         require_memory(communicator, p, found.size, body, 0.0);
-      });
+      },
+      material::vary_in_stiffness(p.materials.materials) ? &image.intensities : nullptr);
   if (!has_volume_forces(p.external_forces.forces)) {  // a fragment that they load is an error
     const grid::Grid body = body_of(p, labels.size, labels.voxel_size);
     const std::string note =
         image::leave_out_fragments(communicator, labels, reach_of_conditions(p, body, labels));
-    if (!note.empty()) summary.notes.push_back(note);
+    if (!note.empty()) image.summary.notes.push_back(note);
   }
-  return labels;
+  return image;
 }
 
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
-                       const image::LabelVolume& labels, const image::ImageSummary& summary) {
+                       const SpecimenImage& image) {
   const base::Stage stage("particles");
   const DeckParameters& p = deck.parameters;
+  const image::LabelVolume& labels = image.labels;
+  const material::NamedMaterials& materials = p.materials.materials;
   const grid::Grid grid = body_of(p, labels.size, labels.voxel_size);
   require_memory(communicator, p, labels.size, grid, filled_fraction(communicator, labels));
 
   const auto lattice = grid::Partition::balanced(
       grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
+  const bool varies = material::vary_in_stiffness(materials);
+  std::vector<particles::SeededField> fields;
+  if (varies)
+    fields.push_back({&particles::Particles<grid::Device>::shear_modulus, &image.intensities,
+                      material::shear_modulus_of(materials)});
   auto particles = particles::seed(communicator, p.particles, lattice, labels,
-                                   material::material_of_label(p.materials.materials));
+                                   material::material_of_label(materials), fields);
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
-  Specimen specimen{summary,
+  Specimen specimen{image.summary,
                     grid,
                     partition,
                     particles,
                     particles::layout_sizes(p.particles, grid, labels.size, labels.voxel_size),
                     particles::layout_notes(p.particles, grid, labels.size),
                     0,
-                    ""};
-  const double nu = material::largest_poisson_ratio(p.materials.materials);
+                    "",
+                    {}};
+  const double nu = material::largest_poisson_ratio(materials);
   specimen.dilatation = grid::describe_dilatation(p.grid, nu);
   const std::string locking = grid::locking_note(p.grid, nu);
   if (!locking.empty()) specimen.notes.push_back(locking);
+  if (varies) specimen.extremes = extremes_of(communicator, materials, particles);
+  for (std::string& note : stiffness_notes(materials, specimen.extremes))
+    specimen.notes.push_back(std::move(note));
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
@@ -121,7 +176,9 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   const DeckParameters& p = deck.parameters;
   mechanics::Problem problem;
   problem.body = specimen.body;
-  problem.laws = material::laws(p.materials.materials);
+  problem.laws = mechanics::LawList{material::laws(p.materials.materials),
+                                    material::vary_in_stiffness(p.materials.materials)};
+  problem.laws.extremes = specimen.extremes;
   problem.conditions = p.boundary_conditions.conditions;
   problem.forces = p.external_forces.forces;
   for (const auto& named : p.materials.materials)

@@ -17,7 +17,14 @@
 
 namespace stroma {
 
-/// Image, grid and particles of one deck, this rank's part.
+/// The deck's image, this rank's part.
+struct SpecimenImage {
+  image::ImageSummary summary;
+  image::LabelVolume labels;
+  image::IntensityVolume intensities;  ///< where a material's field asks for them; else empty
+};
+
+/// Grid and particles of one deck, this rank's part.
 struct Specimen {
   image::ImageSummary image;
   grid::Grid body;            ///< the lattice of elements that fills the body's box
@@ -27,6 +34,8 @@ struct Specimen {
   std::vector<std::string> notes;  ///< what a user should know of grid and particles
   std::int64_t particle_count;     ///< over all ranks
   std::string dilatation;          ///< which one, and why
+  /// The softest and stiffest of the particles of each material, where they differ; else empty.
+  std::vector<material::SmallStrainModuli> extremes;
 };
 
 /// What is solved on the specimen.
@@ -35,16 +44,14 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen);
 /// What may make its solution hard. Collective.
 solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance);
 
-/// Reads and segments the deck's image, and leaves out what floats in empty space. The labels are
-/// kept only as long as they are needed: they and the particles are the larger part of what a rank
-/// holds before it solves. Collective. \throws base::InputError when image and deck do not go
-/// together
-image::LabelVolume read_labels(const base::Communicator& communicator, const Deck& deck,
-                               image::ImageSummary& summary);
+/// Reads and segments the deck's image, and leaves out what floats in empty space. It is kept only
+/// as long as it is needed: it and the particles are the larger part of what a rank holds before it
+/// solves. Collective. \throws base::InputError when image and deck do not go together
+SpecimenImage read_image(const base::Communicator& communicator, const Deck& deck);
 
-/// Grid and particles for segmented labels. Collective.
+/// Grid and particles for a segmented image. Collective.
 /// \throws base::InputError when the deck's grid does not fit the image
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
-                       const image::LabelVolume& labels, const image::ImageSummary& summary);
+                       const SpecimenImage& image);
 
 }  // namespace stroma

@@ -30,6 +30,9 @@ class StressKernels {
 
   virtual ~StressKernels() = default;
 
+  /// Numbers of history that particles must have (Particles::history); 0: none.
+  virtual int states() const = 0;
+
   /// transfer::InternalForce; force is added to.
   virtual std::int64_t internal_force(const Points& points, const NodeView& force) const = 0;
   /// transfer::Tangent.
@@ -47,12 +50,19 @@ class StressKernels {
   /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
   virtual void layer_fields(const Points& points, int k, int first,
                             const transfer::ParticleFields<Device>& fields) const = 0;
+  /// transfer::UpdateHistory: writes the particles' history, if they have one. For displacements
+  /// that were accepted.
+  virtual void update_history(const Points& points) const = 0;
 };
 
-using LawList = std::vector<material::AnyLaw>;
+/// The laws of all materials, of those that a deck may name.
+struct LawList {
+  std::vector<material::AnyLaw> of_material;
+  bool vary = false;  ///< particles have a shear modulus of their own (Particles::shear_modulus)
+};
 
 /// The kernels for a choice of shape functions, in space or in plane strain, and the laws of all
-/// materials. A body of neo-Hookean laws alone has kernels of its own.
+/// materials. A body of neo-Hookean laws that do not vary has kernels of its own.
 std::shared_ptr<const StressKernels> stress_kernels(const LawList& laws,
                                                     grid::ShapeFunctions shape_functions,
                                                     bool flat);

@@ -12,6 +12,7 @@
 #include "stroma/grid/ToDevice.hpp"
 #include "stroma/mechanics/kernels/StressKernels.hpp"
 #include "stroma/transfer/InternalForce.hpp"
+#include "stroma/transfer/UpdateHistory.hpp"
 
 namespace stroma::mechanics {
 
@@ -21,6 +22,7 @@ class StressKernelsOf : public StressKernels {
   /// \param laws  of all materials
   explicit StressKernelsOf(const std::vector<Law>& laws) : law_(grid::to_device("law", laws)) {}
 
+  int states() const override { return material::states_of<Law>; }
   std::int64_t internal_force(const Points& points, const NodeView& force) const override {
     return launch("internal force", points,
                   transfer::InternalForce<Shape, Law, Device>{{points}, law_, force});
@@ -56,6 +58,10 @@ class StressKernelsOf : public StressKernels {
         "grid to particles", points.box, k,
         transfer::GridToParticles<Shape, Law, Device>{{points}, law_, fields, first});
   }
+  void update_history(const Points& points) const override {
+    if constexpr (material::states_of < Law >> 0)
+      launch("update history", points, transfer::UpdateHistory<Shape, Law, Device>{{points}, law_});
+  }
 
  private:
   template <class Kernel>
@@ -66,17 +72,18 @@ class StressKernelsOf : public StressKernels {
   Kokkos::View<const Law*, Device> law_;  // of each material
 };
 
-/// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, or of
-/// any.
+/// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, the
+/// same for all particles of a material, or of any.
 template <class Shape>
 std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
   using material::AnyLaw;
   using material::NeoHookean;
-  if (!std::all_of(laws.begin(), laws.end(),
-                   [](const AnyLaw& law) { return law.is<NeoHookean>(); }))
-    return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(laws);
+  const std::vector<AnyLaw>& all = laws.of_material;
+  const bool are_neo_hookean =
+      std::all_of(all.begin(), all.end(), [](const AnyLaw& law) { return law.is<NeoHookean>(); });
+  if (laws.vary || !are_neo_hookean) return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all);
   std::vector<NeoHookean> alike;
-  for (const AnyLaw& law : laws) alike.push_back(law.as<NeoHookean>());
+  for (const AnyLaw& law : all) alike.push_back(law.as<NeoHookean>());
   return std::make_shared<StressKernelsOf<Shape, NeoHookean>>(alike);
 }
 
