@@ -16,6 +16,7 @@
 #include "stroma/mechanics/BarelyFilled.hpp"
 #include "stroma/mechanics/BoundaryPoints.hpp"
 #include "stroma/mechanics/Scales.hpp"
+#include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Migration.hpp"
 #include "stroma/particles/Seeding.hpp"
 #include "stroma/particles/UndeformedPositions.hpp"
@@ -115,6 +116,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       load_(base_load) {
   check_shape_functions(problem, partition.grid());
   check_scales(problem);
+  particles::begin_history(particles_, stress_->states());
   typical_diagonal_ =
       stiffest_modulus(problem) * std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
   if (problem.stabilization > 0.0) find_fictitious_points(problem.stabilization);
@@ -460,16 +462,21 @@ void MomentumBalance::replace_displacement(const grid::Vector& old, const grid::
   kernels_->add_to_displacement(points(difference));
 }
 
+void MomentumBalance::commit_history(const grid::Vector& u) {
+  if (stress_->states() > 0) stress_->update_history(points(u));
+}
+
+void MomentumBalance::take_history(const MomentumBalance& other) {
+  if (stress_->states() == 0) return;
+  const bool has_other_elements = other.halo_.partition().grid().centered;
+  particles_.history =
+      has_other_elements
+          ? particles::migrate(communicator_, halo_.partition(), other.particles_).history
+          : other.particles_.history;
+}
+
 particles::Particles<grid::Device> MomentumBalance::moved_particles(const grid::Vector& u) const {
-  using Particles = particles::Particles<Device>;
-  const auto count = static_cast<std::size_t>(particles_.count());
-  const auto unset = [](const char* name) {
-    return Kokkos::view_alloc(std::string(name), Kokkos::WithoutInitializing);
-  };
-  Particles moved = particles_;
-  moved.position = Particles::Vector3(unset("position"), count);
-  moved.base_displacement = Particles::Vector3(unset("base_displacement"), count);
-  moved.base_gradient = Particles::Tensor(unset("base_gradient"), count);
+  const auto moved = particles::with_room_to_move(particles_);
   kernels_->advance(points(u), moved);
   return moved;
 }
@@ -503,12 +510,16 @@ std::function<void(const MomentumBalance::FieldVisitor&)> MomentumBalance::field
 double MomentumBalance::largest_strain(const grid::Vector& u) const {
   const auto material =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.material);
+  const auto own =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.shear_modulus);
   double largest = 0.0;
   field_layers(u)([&](int first, const transfer::ParticleFields<Device>& fields) {
     const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
     for (std::size_t p = 0; p < stress.extent(0); ++p) {
-      const double modulus =
-          problem_.laws.moduli[material(static_cast<std::size_t>(first) + p)].uniaxial_strain();
+      const std::size_t n = static_cast<std::size_t>(first) + p;
+      material::SmallStrainModuli moduli = problem_.laws.moduli[material(n)];
+      if (own.extent(0) > 0) moduli = moduli.with_shear_modulus(own(n));
+      const double modulus = moduli.uniaxial_strain();
       for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(stress(p, c)) / modulus);
     }
   });

@@ -136,6 +136,11 @@ class MomentumBalance {
   /// Lets particles that track their displacement keep it when the nodes' displacement since an
   /// undeformed base is replaced by another.
   void replace_displacement(const grid::Vector& old, const grid::Vector& now);
+  /// Lets the laws remember an accepted displacement (transfer::UpdateHistory): from now on, what is
+  /// asked of them is asked for a displacement that comes after it.
+  void commit_history(const grid::Vector& u);
+  /// Takes what the particles of another balance of the same body remember; for with_hats().
+  void take_history(const MomentumBalance& other);
   /// The particles at the displaced configuration, in the same order.
   particles::Particles<Device> moved_particles(const grid::Vector& u) const;
 

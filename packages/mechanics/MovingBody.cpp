@@ -61,6 +61,7 @@ MovingBody::MovingBody(const base::Communicator& communicator, const grid::Parti
 
 bool MovingBody::begin_step() {
   if (!has_news_) return false;
+  balance_->commit_history(*displacement_);
   if (problem_.reset) reset_grid();
   has_news_ = false;
   if (problem_.deformation_gradient == grid::DeformationGradient::projected_displacement) project();

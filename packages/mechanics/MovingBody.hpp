@@ -35,8 +35,9 @@ class MovingBody {
   MomentumBalance& balance() { return *balance_; }
   const MomentumBalance& balance() const { return *balance_; }
 
-  /// Makes the accepted displacement the start of the next step. A second call without an accepted
-  /// step in between does nothing. Collective.
+  /// Makes the accepted displacement the start of the next step: until then laws remember the step
+  /// before, on which the accepted stresses rest. A second call without an accepted step in between
+  /// does nothing. Collective.
   /// \return whether balance() is another one now, with other maps
   /// \throws base::RunError when the new configuration cannot be computed with
   bool begin_step();

@@ -60,16 +60,19 @@ struct GridToParticles {
       }
       const auto& material = law_at(law, elements.particles, point);
       const double growth = tensor::det_minus_one(point.H), log_j = log1p(growth);
-      const double log_volume = log_of_volume(elements, mean, point, log_j);
-      const double jacobian = mean.holds_for(point) ? exp(log_volume) : 1.0 + growth;
+      double jacobian = 1.0 + growth, log_of_volume = log_j;
+      if (mean.holds_for(point)) {
+        log_of_volume = log_mean_jacobian(elements, mean, p);
+        jacobian = exp(log_of_volume);
+      }
       const Tensor3 sigma =
           (1.0 / jacobian) *
-          material.kirchhoff_stress(point.H, log_j, material.stress_of_volume(log_volume));
+          material.kirchhoff_stress(point.H, log_j, material.stress_of_volume(log_of_volume));
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};
       for (int c = 0; c < 6; ++c) fields.stress(p - first, c) = components[c];
       fields.jacobian(p - first) = jacobian;
-      fields.energy(p - first) = material.energy(point.H, material.energy_of_volume(log_volume));
+      fields.energy(p - first) = material.energy(point.H, material.energy_of_volume(log_of_volume));
     });
   }
 };

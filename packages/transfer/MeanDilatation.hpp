@@ -56,14 +56,6 @@ KOKKOS_INLINE_FUNCTION double log_mean_jacobian(const ElementParticles<Shape, De
   return log1p(elements.base_jacobian_minus_one(p)) + mean.log_change;
 }
 
-/// ln of the volume that a point's energy of volume is that of [-]: ln Jt, or its own ln J.
-template <class Shape, class Device>
-KOKKOS_INLINE_FUNCTION double log_of_volume(const ElementParticles<Shape, Device>& elements,
-                                            const MeanDilatation& mean,
-                                            const ParticlePoint<Shape>& point, double log_j) {
-  return mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j;
-}
-
 /// H of a particle as results show it and as a step leaves it to the next: of F (Jt/J)^(1/3), whose
 /// determinant is Jt. H itself where dilatation is pointwise, and where one of the two volumes is
 /// not positive, for then the step is rejected.

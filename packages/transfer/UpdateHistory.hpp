@@ -23,7 +23,9 @@ struct UpdateHistory {
       const double log_j = material::log_jacobian(point.H);
       double next[material::states_of<Law>] = {};
       law_at(law, elements.particles, point)
-          .new_state(point.H, log_j, log_of_volume(elements, mean, point, log_j), next);
+          .new_state(point.H, log_j,
+                     mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j,
+                     next);
       for (int n = 0; n < material::states_of<Law>; ++n)
         elements.particles.history(point.p, n) = next[n];
     });

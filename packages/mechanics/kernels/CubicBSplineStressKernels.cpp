@@ -5,6 +5,9 @@
 
 namespace stroma::mechanics {
 
+extern template class StressKernelsOf<shape::BSpline<3, 2>, material::AnyLaw>;
+extern template class StressKernelsOf<shape::BSpline<3, 3>, material::AnyLaw>;
+
 std::shared_ptr<const StressKernels> cubic_b_spline_stress_kernels(const LawList& laws, bool flat) {
   if (flat) return stress_kernels_of<shape::BSpline<3, 2>>(laws);
   return stress_kernels_of<shape::BSpline<3, 3>>(laws);

@@ -5,6 +5,9 @@
 
 namespace stroma::mechanics {
 
+extern template class StressKernelsOf<shape::Gimp<2>, material::AnyLaw>;
+extern template class StressKernelsOf<shape::Gimp<3>, material::AnyLaw>;
+
 std::shared_ptr<const StressKernels> gimp_stress_kernels(const LawList& laws, bool flat) {
   if (flat) return stress_kernels_of<shape::Gimp<2>>(laws);
   return stress_kernels_of<shape::Gimp<3>>(laws);

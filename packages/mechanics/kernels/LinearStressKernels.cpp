@@ -5,6 +5,8 @@
 
 namespace stroma::mechanics {
 
+extern template class StressKernelsOf<shape::Linear, material::AnyLaw>;
+
 std::shared_ptr<const StressKernels> linear_stress_kernels(const LawList& laws) {
   return stress_kernels_of<shape::Linear>(laws);
 }

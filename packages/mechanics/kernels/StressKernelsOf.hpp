@@ -73,7 +73,9 @@ class StressKernelsOf : public StressKernels {
 };
 
 /// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, the
-/// same for all particles of a material, or of any.
+/// same for all particles of a material, or of any. Those of AnyLaw are instantiated in files of
+/// their own: what a compiler takes inline depends on how much there is in a file, and laws are
+/// added.
 template <class Shape>
 std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
   using material::AnyLaw;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,8 +43,9 @@ class ParticleAt {
   }
   /// Descending; computed once.
   double principal_stress(int i) const {
-    if (!principal_) principal_ = tensor::principal_values(stress());
-    return (*principal_)(i);
+    if (!has_principal_) principal_ = tensor::principal_values(stress());
+    has_principal_ = true;
+    return principal_(i);
   }
   double jacobian() const { return state_->jacobian[p_]; }
   double strain_energy_density() const { return state_->strain_energy_density[p_]; }
@@ -54,7 +54,8 @@ class ParticleAt {
  private:
   const ParticleState* state_;
   std::int64_t p_;
-  mutable std::optional<tensor::PrincipalValues> principal_;
+  mutable tensor::PrincipalValues principal_;
+  mutable bool has_principal_ = false;
 };
 
 /// A column of particles.e.

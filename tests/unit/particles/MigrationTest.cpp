@@ -11,6 +11,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/particles/Exchange.hpp"
+#include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Migration.hpp"
 #include "stroma/particles/Seeding.hpp"
 
@@ -50,6 +51,12 @@ Particles<grid::Device> scattered() {
       particles.base_displacement(p, d) = way(particles.id(p), d);
       particles.base_gradient(p, d, 1) = static_cast<double>(particles.id(p)) + d;
     }
+  begin_history(particles, 2);
+  allocate(particles.shear_modulus, "shear_modulus", static_cast<std::size_t>(particles.count()));
+  for (int p = 0; p < particles.count(); ++p) {
+    particles.shear_modulus(p) = 0.5 * static_cast<double>(particles.id(p));
+    particles.history(p, 1) = -static_cast<double>(particles.id(p));
+  }
   return particles;
 }
 
@@ -81,6 +88,9 @@ TEST(Migration, EveryParticleArrivesWholeAtTheOwnerOfItsElement) {
       }
       EXPECT_EQ(after.material(p), 0);
       EXPECT_EQ(after.volume(p), 2.0 * 1.5 * 1.0 / 8.0);
+      EXPECT_EQ(after.shear_modulus(p), 0.5 * static_cast<double>(id));
+      EXPECT_EQ(after.history(p, 0), 0.0);
+      EXPECT_EQ(after.history(p, 1), -static_cast<double>(id));
       for (int d = 0; d < 3; ++d) {
         const double xi = (after.position(p, d) - grid.origin[d]) / grid.spacing[d] -
                           static_cast<double>(element[d]);
@@ -96,6 +106,31 @@ TEST(Migration, EveryParticleArrivesWholeAtTheOwnerOfItsElement) {
   const std::int64_t n = all_ranks().sum(static_cast<std::int64_t>(before.count()));
   EXPECT_EQ(all_ranks().sum(ids), n * (n - 1) / 2);
   EXPECT_EQ(all_ranks().sum(squares), (n - 1) * n * (2 * n - 1) / 6);
+}
+
+// A rank without particles cannot see which fields the others' have, and receives all of them.
+TEST(Migration, ARankWithoutParticlesReceivesEveryField) {
+  auto all = scattered();
+  const auto partition = partition_for(all);
+  // All to the owner of the first element, and back.
+  auto there = all;
+  there.position = decltype(there.position)("position", all.position.extent(0));
+  for (int p = 0; p < all.count(); ++p)
+    for (int d = 0; d < 3; ++d) there.position(p, d) = partition.grid().origin[d];
+  const auto gathered = migrate(all_ranks(), partition, there);
+  EXPECT_EQ(gathered.count() > 0, partition.elements(all_ranks().rank()).contains({0, 0, 0}));
+  auto back = gathered;
+  for (int p = 0; p < back.count(); ++p)
+    for (int d = 0; d < 3; ++d)
+      back.position(p, d) += 0.9 * partition.grid().length(d) *
+                             std::abs(std::sin(static_cast<double>(back.id(p)) + d));
+  const auto after = migrate(all_ranks(), partition, back);
+  EXPECT_EQ(all_ranks().sum(after.count()), all_ranks().sum(all.count()));
+  for (int p = 0; p < after.count(); ++p) {
+    EXPECT_EQ(after.shear_modulus(p), 0.5 * static_cast<double>(after.id(p)));
+    EXPECT_EQ(after.history(p, 1), -static_cast<double>(after.id(p)));
+    EXPECT_EQ(after.base_displacement(p, 1), way(after.id(p), 1));
+  }
 }
 
 // A particle's home is where it was seeded, also after it has moved twice.
