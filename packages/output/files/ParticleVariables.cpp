@@ -4,6 +4,13 @@
 
 namespace stroma::output {
 
+void ParticleAt::find_principal_stresses() const {
+  const tensor::Tensor3 s = stress();
+  const tensor::PrincipalValues values = tensor::principal_values(s);
+  principal_ = values;
+  has_principal_ = true;
+}
+
 std::vector<ParticleVariable> particle_variables(const std::vector<ShownField>& fields) {
   using At = ParticleAt;
   std::vector<ParticleVariable> all{

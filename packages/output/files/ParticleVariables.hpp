@@ -43,8 +43,7 @@ class ParticleAt {
   }
   /// Descending; computed once.
   double principal_stress(int i) const {
-    if (!has_principal_) principal_ = tensor::principal_values(stress());
-    has_principal_ = true;
+    if (!has_principal_) find_principal_stresses();
     return principal_(i);
   }
   double jacobian() const { return state_->jacobian[p_]; }
@@ -52,6 +51,8 @@ class ParticleAt {
   double field(std::size_t n) const { return state_->fields.at(n)[p_]; }
 
  private:
+  void find_principal_stresses() const;
+
   const ParticleState* state_;
   std::int64_t p_;
   mutable tensor::PrincipalValues principal_;
