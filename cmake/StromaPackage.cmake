@@ -8,7 +8,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/packages ${PROJECT_BINARY_DIR}/include/st
 # and every #include are held against it, so that a wrong arrow is an error when the project is configured.
 set(STROMA_PACKAGE_LEVELS
     "base,tensor" "shape,deck" "material,image,grid" "particles" "transfer" "tangent" "mechanics,multigrid"
-    "solver,output" "src")
+    "solver,output" "sections" "src")
 
 function(stroma_package_level package result)
   set(index 0)

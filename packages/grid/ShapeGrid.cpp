@@ -2,32 +2,12 @@
 
 #include "stroma/grid/ShapeGrid.hpp"
 
-#include <stdexcept>
-
 namespace stroma::grid {
-namespace {
 
-int width(ShapeFunctions shape_functions) {
-  switch (shape_functions) {
-    case ShapeFunctions::linear:
-      return 2;
-    case ShapeFunctions::gimp:
-    case ShapeFunctions::cpdi:
-      return 3;
-    case ShapeFunctions::quadratic_b_spline:
-      return 4;
-    case ShapeFunctions::cubic_b_spline:
-      return 5;
-  }
-  throw std::logic_error("unknown shape functions");
-}
-
-}  // namespace
-
-Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice) {
+Grid grid_for(shape::ShapeFunctions shape_functions, const Grid& lattice) {
   Grid grid = lattice;
-  grid.width = width(shape_functions);
-  grid.centered = shape_functions != ShapeFunctions::linear;
+  grid.width = shape::kind_of(shape_functions).width;
+  grid.centered = shape::kind_of(shape_functions).is_centered;
   if (!grid.centered) return grid;
   for (int d = 0; d < (grid.flat ? 2 : 3); ++d) {
     grid.origin[d] -= 0.5 * grid.spacing[d];
@@ -36,7 +16,7 @@ Grid grid_for(ShapeFunctions shape_functions, const Grid& lattice) {
   return grid;
 }
 
-Partition partition_for(ShapeFunctions shape_functions, const Partition& lattice) {
+Partition partition_for(shape::ShapeFunctions shape_functions, const Partition& lattice) {
   const Grid grid = grid_for(shape_functions, lattice.grid());
   std::array<std::vector<std::int64_t>, 3> cuts;
   for (int d = 0; d < 3; ++d) {

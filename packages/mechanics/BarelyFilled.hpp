@@ -11,16 +11,6 @@
 
 namespace stroma::mechanics {
 
-/// A rank's part of a grid as kernels see it.
-transfer::ElementBox element_box(const grid::Partition& partition, int rank);
-
-/// (local element) the volume that an element lacks to being full, between the ends of the grid
-/// [um^3]; 0 where particles fill it by a larger share, and where they do not touch it. Particles
-/// have their volume at the base configuration.
-Kokkos::View<double*, grid::Device> missing_volume(
-    const transfer::ElementBox& box, const particles::Particles<grid::Device>& particles,
-    double share = 0.5);
-
 /// How many elements, of all ranks, are filled by less than half. Collective.
 std::int64_t count_barely_filled(const MomentumBalance& balance);
 

@@ -15,8 +15,8 @@ namespace stroma::mechanics {
 namespace {
 
 bool is_movable(const Problem& problem) {
-  return problem.reset ||
-         problem.deformation_gradient == grid::DeformationGradient::projected_displacement;
+  return problem.method.reset ||
+         problem.method.deformation_gradient == DeformationGradient::projected_displacement;
 }
 
 particles::Particles<grid::Device> start_of(const base::Communicator& communicator,
@@ -24,7 +24,7 @@ particles::Particles<grid::Device> start_of(const base::Communicator& communicat
                                             const Problem& problem) {
   if (!is_movable(problem)) return particles;
   particles::make_movable(communicator, particles);
-  if (!problem.reset) particles.base_gradient = {};  // the base stays the undeformed body
+  if (!problem.method.reset) particles.base_gradient = {};  // the base stays the undeformed body
   return particles;
 }
 
@@ -33,7 +33,7 @@ particles::Particles<grid::Device> start_of(const base::Communicator& communicat
 grid::Grid grid_under(const base::Communicator& communicator, const Problem& problem,
                       const particles::Particles<grid::Device>& particles) {
   grid::Grid grid = particles::covering_grid(
-      communicator, grid::grid_for(problem.shape_functions, problem.body), particles);
+      communicator, grid::grid_for(problem.method.shape_functions, problem.body), particles);
   for (const auto& named : problem.conditions) {
     const BoundaryCondition& condition = named.second;
     if (!grid.centered || problem.imposed_by(condition) != ImposedBy::nodes) continue;
@@ -61,16 +61,17 @@ MovingBody::MovingBody(const base::Communicator& communicator, const grid::Parti
 
 bool MovingBody::begin_step() {
   if (!has_news_) return false;
-  balance_->commit_history(*displacement_);
-  if (problem_.reset) reset_grid();
+  balance_->accept(*displacement_);
+  if (problem_.method.reset) reset_grid();
   has_news_ = false;
-  if (problem_.deformation_gradient == grid::DeformationGradient::projected_displacement) project();
-  return problem_.reset;
+  if (problem_.method.deformation_gradient == DeformationGradient::projected_displacement)
+    project();
+  return problem_.method.reset;
 }
 
 void MovingBody::reset_grid() {
   const base::Stage stage("grid reset");
-  auto moved = balance_->moved_particles(*displacement_);
+  auto moved = balance_->body().moved_particles(*displacement_);
   const grid::Grid grid = grid_under(communicator_, problem_, moved);
   const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
   moved = particles::migrate(communicator_, partition, moved);
@@ -88,11 +89,13 @@ void MovingBody::reset_grid() {
 
 void MovingBody::project() {
   grid::Vector projected(balance_->owned_map());
-  balance_->project_displacement(*displacement_, projected);
-  if (problem_.reset) {
-    balance_->set_base_gradient(projected);
+  balance_->body().project_displacement(*displacement_, projected);
+  if (problem_.method.reset) {
+    balance_->body().set_base_gradient(projected);
+    balance_->forget_forces();
   } else {
-    balance_->replace_displacement(*displacement_, projected);
+    balance_->body().replace_displacement(*displacement_, projected);
+    balance_->forget_forces();
     previous_->update(1.0, projected, -1.0, *displacement_, 1.0);  // the last step's change stays
     displacement_->assign(projected);
   }

@@ -16,8 +16,8 @@ namespace {
 /// Of the shear moduli of the particles, on all ranks.
 double contrast(const mechanics::MomentumBalance& balance) {
   const auto moduli = grid::to_device("moduli", balance.problem().laws.moduli);
-  const auto material = balance.particles().material;
-  const auto own = balance.particles().shear_modulus;
+  const auto material = balance.body().particles().material;
+  const auto own = balance.body().particles().shear_modulus;
   using Extremes = Kokkos::MinMax<double>;
   Extremes::value_type found;
   Kokkos::parallel_reduce(
@@ -35,7 +35,7 @@ double contrast(const mechanics::MomentumBalance& balance) {
 
 }  // namespace
 
-Circumstances circumstances(const SolverParameters& solver, const grid::GridParameters& grid,
+Circumstances circumstances(const SolverParameters& solver, const mechanics::GridParameters& grid,
                             double largest_poisson_ratio,
                             const mechanics::MomentumBalance& balance) {
   Circumstances known;
@@ -43,8 +43,8 @@ Circumstances circumstances(const SolverParameters& solver, const grid::GridPara
   known.is_single_precision =
       takes_stencil(solver.preconditioner, balance.halo().partition().grid());
   known.barely_filled = mechanics::count_barely_filled(balance);
-  known.stabilization = balance.problem().stabilization;
-  known.locking = grid::locking_note(grid, largest_poisson_ratio);
+  known.stabilization = balance.problem().method.stabilization;
+  known.locking = mechanics::locking_note(grid, largest_poisson_ratio);
   const mechanics::Supports& supports = balance.supports();
   known.pieces = supports.pieces().count - supports.pieces().carried;
   known.has_free_motion = !supports.rigid_holds().empty();

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "stroma/grid/GridSection.hpp"
 #include "stroma/mechanics/MomentumBalance.hpp"
-#include "stroma/solver/SolverSection.hpp"
+#include "stroma/mechanics/problem/GridParameters.hpp"
+#include "stroma/solver/SolverParameters.hpp"
 
 namespace stroma::solver {
 
@@ -21,7 +21,7 @@ struct Circumstances {
   bool is_single_precision = false;  ///< the tangent, see takes_stencil()
   std::int64_t barely_filled = 0;    ///< elements filled by less than half
   double stabilization = 0.0;        ///< Grid|Stabilization [-]
-  std::string locking;               ///< grid::locking_note()
+  std::string locking;               ///< mechanics::locking_note()
   std::int64_t pieces = 1;           ///< of the body, that carry load
   bool has_free_motion = false;      ///< a rigid motion that nodes hold, for want of a support
 };
@@ -31,7 +31,7 @@ struct Circumstances {
 /// \param grid                   the deck's section
 /// \param largest_poisson_ratio  of the materials [-]
 /// \param balance                the body as it stands
-Circumstances circumstances(const SolverParameters& solver, const grid::GridParameters& grid,
+Circumstances circumstances(const SolverParameters& solver, const mechanics::GridParameters& grid,
                             double largest_poisson_ratio,
                             const mechanics::MomentumBalance& balance);
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "stroma/mechanics/BarelyFilled.hpp"
-#include "stroma/mechanics/Lattice.hpp"
+#include "stroma/mechanics/body/Lattice.hpp"
 #include "stroma/multigrid/GeometricMultigrid.hpp"
 #include "stroma/solver/Preconditioner.hpp"
 
@@ -104,7 +104,7 @@ class HatsMultigrid : public Preconditioner {
     smoother_->compute();
     grid::Vector u(lattice_.halo().owned_map());
     lattice_.values_at_nodes(*balance_->linearization_point(), u);
-    hats_->take_history(*balance_);
+    hats_->body().take_history(balance_->body());
     if (hats_->assemble_tangent(u) > 0) {  // hats alone turn a particle inside out
       u.putScalar(0.0);
       hats_->assemble_tangent(u);

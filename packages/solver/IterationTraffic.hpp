@@ -10,7 +10,7 @@
 
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Traffic.hpp"
-#include "stroma/solver/SolverSection.hpp"
+#include "stroma/solver/SolverParameters.hpp"
 
 namespace stroma::solver {
 

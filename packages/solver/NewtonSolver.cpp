@@ -39,6 +39,11 @@ class Converged : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
+grid::RCP<const grid::Vector> displacement_of(const NOX::Abstract::Group& group) {
+  const auto& x = dynamic_cast<const NOX::Thyra::Vector&>(group.getX()).getThyraVector();
+  return Extract::getConstTpetraVector(Teuchos::rcpFromRef(x));
+}
+
 Teuchos::RCP<Teuchos::ParameterList> nox_settings(const SolverParameters& parameters) {
   const auto list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
@@ -99,18 +104,19 @@ void NewtonSolver::choose_forcing(double now) {
 
 /// A linear solve leaves this share of its residual at most. Where springs are pulled, theirs is
 /// nearly all of it: the body's part must be solved as well.
-double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->spring_contrast(); }
+double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->stiffness_contrast(); }
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   residual_history_.clear();
   bool only_rounding_is_left = false;
+  mechanics::ForceBalance forces;
   const auto is_good = [&](const NOX::Abstract::Group& group) {
-    const double force = model_->force_scale();
-    if (std::isfinite(force)) largest_force_ = std::max(largest_force_, force);
+    forces = balance_->forces(*displacement_of(group));
+    if (std::isfinite(forces.scale)) largest_force_ = std::max(largest_force_, forces.scale);
     const double norm = group.getNormF();
     const double relative = norm == 0.0 ? 0.0 : norm / largest_force_;
     const bool is_small = relative <= parameters_.newton_tolerance;
-    only_rounding_is_left = !is_small && norm <= model_->rounding();
+    only_rounding_is_left = !is_small && norm <= forces.rounding;
     residual_history_.push_back(relative);
     choose_forcing(only_rounding_is_left ? 0.0 : relative);
     if (progress_)
@@ -119,10 +125,9 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
     return is_small || only_rounding_is_left;
   };
 
-  const auto start =
-      Thyra::createVector(Teuchos::rcp(new grid::Vector(u, Teuchos::Copy)), model_->get_x_space());
+  const auto start = Thyra::createVector(Teuchos::rcpFromRef(u), model_->get_x_space());
   const auto group = Teuchos::rcp(new NOX::Thyra::Group(
-      NOX::Thyra::Vector(start), model_, model_->create_W_op(), model_->get_W_factory(),
+      NOX::Thyra::Vector(*start), model_, model_->create_W_op(), model_->get_W_factory(),
       Teuchos::RCP<Thyra::PreconditionerBase<double>>(),
       Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>>()));
   const auto converged = Teuchos::rcp(new Converged(is_good));
@@ -134,9 +139,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   const auto solver = NOX::Solver::buildSolver(group, test, nox_settings(parameters_));
   const auto status = solver->solve();
 
-  const auto& last =
-      dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getX()).getThyraVector();
-  u.assign(*Extract::getConstTpetraVector(Teuchos::rcpFromRef(last)));
+  u.assign(*displacement_of(solver->getSolutionGroup()));
 
   if (finite->getStatus() == NOX::StatusTest::Failed)
     throw base::StepRejected("particles are turned inside out");
@@ -147,7 +150,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   if (only_rounding_is_left) check_rounding(u);
   NewtonResult result;
   result.is_limited_by_rounding = only_rounding_is_left;
-  if (largest_force_ > 0.0) result.hold_share = model_->hold_norm() / largest_force_;
+  if (largest_force_ > 0.0) result.hold_share = forces.hold / largest_force_;
   result.iterations = solver->getNumIterations();
   result.linear_iterations = linear_solver_->total_iterations() - reported_iterations_;
   reported_iterations_ = linear_solver_->total_iterations();
@@ -160,9 +163,9 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
 /// springs of its supports if there are any.
 void NewtonSolver::check_rounding(const grid::Vector& u) const {
   constexpr double largest_share = 1e-4;
-  const double strain_by_rounding = 1e-11 * balance_->spring_contrast();
+  const double strain_by_rounding = 1e-11 * balance_->stiffness_contrast();
   const double relative = residual_history_.back();
-  if (relative <= largest_share || balance_->largest_strain(u) <= strain_by_rounding) return;
+  if (relative <= largest_share || balance_->body().largest_strain(u) <= strain_by_rounding) return;
   throw base::StepRejected(base::format(
       "rounding alone leaves a residual of %.2e of the forces: the stiffest of materials and "
       "springs is too stiff, or displacements are too large, for what the rest bears",

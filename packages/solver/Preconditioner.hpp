@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "stroma/mechanics/MomentumBalance.hpp"
-#include "stroma/solver/SolverSection.hpp"
+#include "stroma/solver/SolverParameters.hpp"
 
 namespace stroma::solver {
 

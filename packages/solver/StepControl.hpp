@@ -5,7 +5,7 @@
 /// \file
 /// The size of load steps.
 
-#include "stroma/solver/SolverSection.hpp"
+#include "stroma/solver/SolverParameters.hpp"
 
 namespace stroma::solver {
 

@@ -46,14 +46,7 @@ void ThyraModel::evalModelImpl(const Model::InArgs<double>& in,
                                const Model::OutArgs<double>& out) const {
   const auto x = Extract::getConstTpetraVector(in.get_x());
   // Particles turned inside out make the results NaN, which NOX looks for.
-  if (out.get_f() != Teuchos::null) {
-    const auto f = Extract::getTpetraVector(out.get_f());
-    balance_->unbalanced_force(*x, *f);
-    force_scale_ = balance_->force_scale(*x, *f);
-    hold_norm_ = balance_->supports().hold_norm(*f);
-    rounding_ = balance_->rounding(*x);
-    balance_->supports().clear(*f);
-  }
+  if (out.get_f() != Teuchos::null) balance_->residual(*x, *Extract::getTpetraVector(out.get_f()));
   if (out.get_W_op() != Teuchos::null) balance_->assemble_tangent(*x);
 }
 

@@ -21,13 +21,6 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   /// \param factory  makes the linear solver that W stands for
   ThyraModel(mechanics::MomentumBalance& balance, const Teuchos::RCP<const Factory>& factory);
 
-  /// MomentumBalance::force_scale() at the last residual's displacement [pN].
-  double force_scale() const { return force_scale_; }
-  /// Supports::hold_norm() there [pN].
-  double hold_norm() const { return hold_norm_; }
-  /// MomentumBalance::rounding() there [pN].
-  double rounding() const { return rounding_; }
-
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override { return space_; }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_f_space() const override { return space_; }
   Thyra::ModelEvaluatorBase::InArgs<double> createInArgs() const override;
@@ -43,7 +36,6 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   mechanics::MomentumBalance* balance_;
   Teuchos::RCP<const Factory> factory_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
-  mutable double force_scale_ = 0.0, hold_norm_ = 0.0, rounding_ = 0.0;
 };
 
 }  // namespace stroma::solver

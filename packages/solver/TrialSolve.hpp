@@ -6,7 +6,7 @@
 /// Whether the packages of Trilinos take the lists that a deck has for them.
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/solver/SolverSection.hpp"
+#include "stroma/solver/SolverParameters.hpp"
 
 namespace stroma::solver {
 

@@ -17,7 +17,7 @@ struct BoundaryPoint {
   int components;          ///< bit c: component c is prescribed
   double spring;           ///< k = epsilon A [pN/um]
   double offset[3];        ///< r [um]
-  double displacement[3];  ///< u* that the condition wants at full load [um]
+  double displacement[3];  ///< u* that the condition wants at the present load [um]
 };
 
 /// The boundary points of a rank, sorted by element.
@@ -30,16 +30,16 @@ struct BoundaryPointSet {
   bool empty() const { return point.extent(0) == 0; }
 };
 
-/// How far a boundary point is from where the condition wants it at a load factor, in the
-/// components that are prescribed: gap = u_p + H r - load u*  [um].
+/// How far a boundary point is from where the condition wants it, in the components that are
+/// prescribed: gap = u_p + H r - u*  [um].
 template <class Shape, class Device>
 KOKKOS_INLINE_FUNCTION void gap_of(const BoundaryPoint& b, const ParticlePoint<Shape>& point,
                                    const particles::Particles<Device>& particles,
-                                   const double u[3][Shape::nodes], double load, double gap[3]) {
+                                   const double u[3][Shape::nodes], double gap[3]) {
   for (int c = 0; c < 3; ++c) {
     gap[c] = 0.0;
     if (!(b.components >> c & 1)) continue;
-    double sum = -load * b.displacement[c];
+    double sum = -b.displacement[c];
     if (particles.base_displacement.extent(0) != 0) sum += particles.base_displacement(point.p, c);
     for (int a = 0; a < Shape::nodes; ++a) sum += point.value[a] * u[c][a];
     for (int d = 0; d < 3; ++d) sum += point.H(c, d) * b.offset[d];
@@ -78,7 +78,6 @@ template <class Shape, class Device>
 struct SpringForce {
   ElementParticles<Shape, Device> elements;
   BoundaryPointSet<Device> boundary;
-  double load;
   Kokkos::View<double* [3], Kokkos::LayoutRight, Device> force;  ///< (touched node, i), added to
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t&) const {
@@ -87,7 +86,7 @@ struct SpringForce {
         [&](int, const BoundaryPoint& b, const ParticlePoint<Shape>& point,
             const double(&u)[3][Shape::nodes], const double(&carried)[Shape::nodes]) {
           double gap[3];
-          gap_of(b, point, elements.particles, u, load, gap);
+          gap_of(b, point, elements.particles, u, gap);
           for (int a = 0; a < Shape::nodes; ++a) {
             const int node = elements.node_of(i, j, k, a);
             for (int c = 0; c < 3; ++c) force(node, c) += b.spring * gap[c] * carried[a];
@@ -101,14 +100,13 @@ template <class Shape, class Device>
 struct BoundaryGaps {
   ElementParticles<Shape, Device> elements;
   BoundaryPointSet<Device> boundary;
-  double load;
   Kokkos::View<double* [3], Kokkos::LayoutRight, Device> gap;  ///< (boundary point, c), written
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t&) const {
     for_each_boundary_point(elements, boundary, i, j, k,
                             [&](int n, const BoundaryPoint& b, const ParticlePoint<Shape>& point,
                                 const double(&u)[3][Shape::nodes], const double(&)[Shape::nodes]) {
-                              gap_of(b, point, elements.particles, u, load, &gap(n, 0));
+                              gap_of(b, point, elements.particles, u, &gap(n, 0));
                             });
   }
 };

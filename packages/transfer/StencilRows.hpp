@@ -69,6 +69,13 @@ struct StencilRows {
           block[tile * (3 * i + k)] += is_own && i > k ? K[k][i][b] : K[i][k][b];
     }
   }
+
+  /// Adds to the diagonal entry of a component of a node, if it is not prescribed.
+  KOKKOS_INLINE_FUNCTION void add_to_diagonal(int node, int component, double value) const {
+    if (held_of(node) >> component & 1) return;
+    values(layout.place(node / layout.nodes[0], 4 * component, node % layout.nodes[0])) +=
+        static_cast<float>(value);
+  }
 };
 
 }  // namespace stroma::transfer

@@ -51,6 +51,19 @@ struct BlockRows {
         for (int k = 0; k < 3; ++k) entries[first[b] + k] += K[i][k][b];
     }
   }
+
+  /// Adds to the diagonal entry of a component of a node, if it is not prescribed.
+  KOKKOS_INLINE_FUNCTION void add_to_diagonal(int node, int component, double value) const {
+    if (held(node) >> component & 1) return;
+    const int r = row(node);
+    if (r < 0) {
+      const int own = static_cast<int>(shared.extent(1)) / 18;  // the block in the middle
+      shared(~r, 9 * own + 4 * component) += value;
+    } else {
+      const int own = static_cast<int>(slot.extent(1)) / 2;
+      values(row_begin(3 * r + component) + 3 * slot(r, own) + component) += value;
+    }
+  }
 };
 
 /// The blocks K(a, i, k, b) of one element's nodes a and b, on their way to a matrix.

@@ -117,7 +117,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
                                            problem_of(deck, specimen));
   std::int64_t filled = 0;
-  const auto flags = balance.filled_elements(grid::lattice_under(specimen.partition));
+  const auto flags = balance.body().filled_elements(grid::lattice_under(specimen.partition));
   for (std::size_t e = 0; e < flags.extent(0); ++e) filled += flags(e);
   filled = communicator.sum(filled);
   log.line(format(

@@ -11,6 +11,10 @@
 
 #include "stroma/deck/PlainText.hpp"
 #include "stroma/image/ImageSection.hpp"
+#include "stroma/sections/BoundaryConditionsSection.hpp"
+#include "stroma/sections/ExternalForcesSection.hpp"
+#include "stroma/sections/GridSection.hpp"
+#include "stroma/sections/SolverSection.hpp"
 
 namespace stroma {
 
@@ -47,12 +51,12 @@ deck::Section<DeckParameters> deck_section() {
   section.required_section(image::image_section(), &DeckParameters::image);
   section.required_section(material::materials_section(), &DeckParameters::materials);
   section.section(particles::particles_section(), &DeckParameters::particles);
-  section.required_section(grid::grid_section(), &DeckParameters::grid);
-  section.required_section(mechanics::boundary_conditions_section(),
+  section.required_section(sections::grid_section(), &DeckParameters::grid);
+  section.required_section(sections::boundary_conditions_section(),
                            &DeckParameters::boundary_conditions);
-  section.section(mechanics::external_forces_section(), &DeckParameters::external_forces);
-  section.section(solver::loading_section(), &DeckParameters::loading);
-  section.section(solver::solver_section(), &DeckParameters::solver);
+  section.section(sections::external_forces_section(), &DeckParameters::external_forces);
+  section.section(sections::loading_section(), &DeckParameters::loading);
+  section.section(sections::solver_section(), &DeckParameters::solver);
   section.section(output::output_section(), &DeckParameters::output);
   section.check(refuse_fields_without_intensities);
   section.check([](const DeckParameters& p, deck::Findings& findings) {

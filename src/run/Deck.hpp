@@ -11,14 +11,14 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/deck/Document.hpp"
 #include "stroma/deck/Section.hpp"
-#include "stroma/grid/GridSection.hpp"
 #include "stroma/image/ImageParameters.hpp"
 #include "stroma/material/Material.hpp"
-#include "stroma/mechanics/BoundaryConditions.hpp"
-#include "stroma/mechanics/ExternalForces.hpp"
+#include "stroma/mechanics/problem/BoundaryConditions.hpp"
+#include "stroma/mechanics/problem/ExternalForces.hpp"
+#include "stroma/mechanics/problem/GridParameters.hpp"
 #include "stroma/output/OutputSection.hpp"
 #include "stroma/particles/Seeding.hpp"
-#include "stroma/solver/SolverSection.hpp"
+#include "stroma/solver/SolverParameters.hpp"
 
 namespace stroma {
 
@@ -27,7 +27,7 @@ struct DeckParameters {
   image::ImageParameters image;
   material::MaterialsParameters materials;
   particles::ParticleParameters particles;
-  grid::GridParameters grid;
+  mechanics::GridParameters grid;
   mechanics::BoundaryConditionsParameters boundary_conditions;
   mechanics::ExternalForcesParameters external_forces;
   solver::LoadingParameters loading;

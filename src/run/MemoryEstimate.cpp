@@ -65,7 +65,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const bool varies = material::vary_in_stiffness(parameters.materials.materials);
   const double intensities = varies ? 8.0 : 0.0;  // of a voxel, kept beside its label
   estimate.image = (parameters.image.phantom ? 4.0 : 12.0 + intensities) * counts.voxels;
-  const bool is_sorted = parameters.grid.shape_functions != grid::ShapeFunctions::linear;
+  const bool is_sorted = parameters.grid.shape_functions != shape::ShapeFunctions::linear;
   double seeded = bytes_of_particle({Presence::always});
   if (varies) seeded += bytes_of_particle({Presence::where_stiffness_varies});
   const double remembered = material::AnyLaw::states * sizeof(double);

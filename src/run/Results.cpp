@@ -13,7 +13,7 @@
 #include "stroma/base/Memory.hpp"
 #include "stroma/base/Session.hpp"
 #include "stroma/base/Stage.hpp"
-#include "stroma/mechanics/Lattice.hpp"
+#include "stroma/mechanics/body/Lattice.hpp"
 #include "stroma/output/files/DeckFile.hpp"
 #include "stroma/solver/IterationTraffic.hpp"
 #include "stroma/tensor/Tensor3.hpp"
@@ -57,24 +57,25 @@ output::ParticleSet Results::particle_set() const {
 output::HistoryRow Results::with_figures(output::HistoryRow row,
                                          const mechanics::MomentumBalance& balance,
                                          const grid::Vector& u) const {
-  const auto& particles = balance.particles();
+  const auto& particles = balance.body().particles();
   std::vector<double> sums(2 * materials_.size() + 1, 0.0);  // volume, stress * volume; energy
   std::vector<double> largest(materials_.size(), 0.0);
-  balance.field_layers(u)([&](int first, const transfer::ParticleFields<grid::Device>& fields) {
-    const auto count = static_cast<int>(fields.jacobian.extent(0));
-    for (int n = 0; n < count; ++n) {
-      const int p = first + n;
-      const std::size_t m = particles.material(p);
-      const double volume = fields.jacobian(n) * particles.volume(p);
-      const auto s = [&](int c) { return fields.stress(n, c); };
-      const double von_mises =
-          tensor::von_mises({{{s(0), s(3), s(5)}, {s(3), s(1), s(4)}, {s(5), s(4), s(2)}}});
-      sums[2 * m] += volume;
-      sums[2 * m + 1] += von_mises * volume;
-      sums.back() += fields.energy(n) * particles.volume(p);
-      largest[m] = std::max(largest[m], von_mises);
-    }
-  });
+  balance.body().field_layers(u)(
+      [&](int first, const transfer::ParticleFields<grid::Device>& fields) {
+        const auto count = static_cast<int>(fields.jacobian.extent(0));
+        for (int n = 0; n < count; ++n) {
+          const int p = first + n;
+          const std::size_t m = particles.material(p);
+          const double volume = fields.jacobian(n) * particles.volume(p);
+          const auto s = [&](int c) { return fields.stress(n, c); };
+          const double von_mises =
+              tensor::von_mises({{{s(0), s(3), s(5)}, {s(3), s(1), s(4)}, {s(5), s(4), s(2)}}});
+          sums[2 * m] += volume;
+          sums[2 * m + 1] += von_mises * volume;
+          sums.back() += fields.energy(n) * particles.volume(p);
+          largest[m] = std::max(largest[m], von_mises);
+        }
+      });
   communicator_.sum_all(sums.data(), sums.size());
   row.strain_energy = sums.back();
   for (std::size_t m = 0; m < materials_.size(); ++m) {
@@ -85,11 +86,9 @@ output::HistoryRow Results::with_figures(output::HistoryRow row,
   return row;
 }
 
-void Results::write(output::HistoryRow row, const mechanics::MomentumBalance& balance,
+void Results::write(output::HistoryRow row, mechanics::MomentumBalance& balance,
                     const grid::Vector& u) {
-  grid::Vector force(balance.owned_map());
-  balance.unbalanced_force(u, force);
-  row.reactions = balance.reactions(u, force);
+  row.reactions = balance.reactions(u);
   rows_.push_back(with_figures(std::move(row), balance, u));
   history_.append(rows_.back());
 
@@ -113,11 +112,11 @@ output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fie
 
 output::StatePieces Results::states(const mechanics::MomentumBalance& balance,
                                     const grid::Vector& u) const {
-  auto shown = shown_fields(communicator_, balance.particles());
+  auto shown = shown_fields(communicator_, balance.body().particles());
   if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
     const int count = specimen_->particles.count();
-    const HomeOrder home(communicator_, balance.particles(), count);
-    const transfer::ParticleFields<grid::Device> here = balance.particle_fields(u);
+    const HomeOrder home(communicator_, balance.body().particles(), count);
+    const transfer::ParticleFields<grid::Device> here = balance.body().particle_fields(u);
     transfer::ParticleFields<grid::Device> fields(0);
     transfer::for_each_result([&](auto& at_home, const auto& view) { at_home = home(view); },
                               fields, here);
@@ -126,7 +125,7 @@ output::StatePieces Results::states(const mechanics::MomentumBalance& balance,
       output::in_one_piece(count, state_of(fields, shown))(use);  // asked for
     };
   }
-  return [layers = balance.field_layers(u), shown](const auto& use) {
+  return [layers = balance.body().field_layers(u), shown](const auto& use) {
     layers([&](int first, const transfer::ParticleFields<grid::Device>& fields) {
       use(first, static_cast<std::int64_t>(fields.jacobian.extent(0)),
           state_of(fields, shown, first));
@@ -138,7 +137,7 @@ void Results::write_particles(const mechanics::MomentumBalance& balance, const g
   const base::Stage stage("output");
   if (!particle_file_) {
     std::vector<output::ShownField> fields;
-    for (const ShownValues& one : shown_fields(communicator_, balance.particles()))
+    for (const ShownValues& one : shown_fields(communicator_, balance.body().particles()))
       fields.push_back(one.field);
     particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                            output::history_columns(conditions_, materials_), provenance_,
@@ -153,7 +152,7 @@ void Results::open_grid_file(const mechanics::MomentumBalance& balance,
                              const grid::Partition& partition) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator_.rank());
-  const auto filled = balance.filled_elements(partition);
+  const auto filled = balance.body().filled_elements(partition);
   output::GridPart part;
   part.elements = grid.elements;
   part.first_element = elements.begin;
@@ -165,10 +164,9 @@ void Results::open_grid_file(const mechanics::MomentumBalance& balance,
                      deck_->parameters.output.precision);
 }
 
-void Results::write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u) {
+void Results::write_grid(mechanics::MomentumBalance& balance, const grid::Vector& u) {
   const base::Stage stage("output");
-  grid::Vector force(balance.owned_map());
-  balance.unbalanced_force(u, force);
+  const grid::Vector& force = *balance.forces(u).unbalanced;
   // The file's nodes are those of the lattice, whatever the shape functions.
   const auto lattice = balance.halo().partition().grid().width == 2
                            ? std::nullopt
@@ -209,7 +207,7 @@ std::string Results::on_disk() const {
          up_to(grid_files_ > 1 ? "the grid.e files" : "grid.e", grid_step_);
 }
 
-void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
+void Results::finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
   if (particles_step_ != rows_.back().step) write_particles(balance, u);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
@@ -232,7 +230,7 @@ void Results::finish(const mechanics::MomentumBalance& balance, const grid::Vect
 }
 
 void Results::print_give(const mechanics::MomentumBalance& balance, const grid::Vector& u) const {
-  const double springs = balance.spring_energy(u);
+  const double springs = balance.support_energy(u);
   if (springs <= 0.0) return;
   log_->line(
       base::format("\n"

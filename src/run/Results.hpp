@@ -31,15 +31,14 @@ class Results {
 
   /// Writes an accepted step: its row always, the fields as often as the deck asks. The row's
   /// reactions, energy and material figures are computed here from u. Collective.
-  void write(output::HistoryRow row, const mechanics::MomentumBalance& balance,
-             const grid::Vector& u);
+  void write(output::HistoryRow row, mechanics::MomentumBalance& balance, const grid::Vector& u);
 
   /// What is on disk so far, in a few words.
   std::string on_disk() const;
 
   /// Writes the last accepted step's fields if they were not due, draws the pictures and prints a
   /// table of all steps: at the end of a run, and of one that failed. Collective.
-  void finish(const mechanics::MomentumBalance& balance, const grid::Vector& u,
+  void finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
               const std::function<double()>& seconds);
 
  private:
@@ -51,7 +50,7 @@ class Results {
                              const grid::Vector& u) const;
   void write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u);
   void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
-  void write_grid(const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  void write_grid(mechanics::MomentumBalance& balance, const grid::Vector& u);
   /// How much the springs of conditions imposed by penalty give way.
   void print_give(const mechanics::MomentumBalance& balance, const grid::Vector& u) const;
   void print_bounds() const;

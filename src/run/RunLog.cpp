@@ -89,7 +89,7 @@ void RunLog::stabilization(const mechanics::MovingBody& body) {
 std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
                     const grid::Vector& trial, const solver::StepControl& load,
                     const std::string& reason, const std::string& folder) {
-  const mechanics::WorstParticle worst = balance.worst_particle(trial);
+  const mechanics::WorstParticle worst = balance.body().worst_particle(trial);
   std::string advice;
   for (const std::string& one : solver::advice(circumstances(deck, balance)))
     advice += "\n- " + one;

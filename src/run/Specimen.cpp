@@ -26,7 +26,7 @@ grid::Grid body_of(const DeckParameters& p, const std::array<std::int64_t, 3>& v
                    const std::array<double, 3>& voxel_size) {
   std::array<double, 3> length;
   for (std::size_t d = 0; d < 3; ++d) length[d] = static_cast<double>(voxels[d]) * voxel_size[d];
-  grid::Grid grid = grid::make_grid(p.grid, length);
+  grid::Grid grid = mechanics::make_grid(p.grid, length);
   if (p.image.region)  // positions are those in the whole image
     for (std::size_t d = 0; d < 3; ++d)
       grid.origin[d] = static_cast<double>((*p.image.region)[d]) * voxel_size[d];
@@ -160,8 +160,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     "",
                     {}};
   const double nu = material::largest_poisson_ratio(materials);
-  specimen.dilatation = grid::describe_dilatation(p.grid, nu);
-  const std::string locking = grid::locking_note(p.grid, nu);
+  specimen.dilatation = mechanics::describe_dilatation(p.grid, nu);
+  const std::string locking = mechanics::locking_note(p.grid, nu);
   if (!locking.empty()) specimen.notes.push_back(locking);
   if (varies) specimen.extremes = extremes_of(communicator, materials, particles);
   for (std::string& note : stiffness_notes(materials, specimen.extremes))
@@ -186,13 +186,8 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   if (problem.density.size() != problem.laws.size()) problem.density.clear();
   problem.outer_thickness = specimen.layout.outer_thickness;
   problem.particle_half_edge = specimen.layout.half_edge;
-  problem.shape_functions = p.grid.shape_functions;
-  problem.particle_domain = p.grid.particle_domain;
-  problem.dilatation =
-      grid::dilatation(p.grid, material::largest_poisson_ratio(p.materials.materials));
-  problem.reset = p.grid.reset;
-  problem.deformation_gradient = p.grid.deformation_gradient;
-  problem.stabilization = grid::stabilization(p.grid);
+  problem.method =
+      mechanics::method_of(p.grid, material::largest_poisson_ratio(p.materials.materials));
   return problem;
 }
 

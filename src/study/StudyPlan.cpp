@@ -18,7 +18,7 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/deck/Findings.hpp"
 #include "stroma/deck/Nearest.hpp"
-#include "stroma/grid/GridSection.hpp"
+#include "stroma/mechanics/problem/GridParameters.hpp"
 #include "stroma/output/files/History.hpp"
 #include "stroma/output/files/RunFolder.hpp"
 
@@ -114,7 +114,7 @@ std::string apart_from_element_size(const Deck& deck) {
 MemberFacts facts_of(const Deck& deck, const std::array<double, 3>& length) {
   MemberFacts facts;
   facts.materials = names(deck.parameters.materials.materials);
-  facts.element_size = grid::make_grid(deck.parameters.grid, length).spacing;
+  facts.element_size = mechanics::make_grid(deck.parameters.grid, length).spacing;
   facts.moving = moving_supports(deck.parameters, length);
   return facts;
 }

@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
   const double bytes = 12.0 * entries + 8.0 * rows + 16.0 * rows;
   const double stream = world.size() * Triad::bytes / median(triad_times);
   const double particles =
-      static_cast<double>(world.sum<std::int64_t>(balance->particles().count()));
+      static_cast<double>(world.sum<std::int64_t>(balance->body().particles().count()));
   if (world.is_root()) {
     std::printf("elements %s x %s x %s, %.0f unknowns, %.0f entries, %d ranks (check %g)\n",
                 argv[1], argv[2], argv[3], rows, entries, world.size(), triad.check());

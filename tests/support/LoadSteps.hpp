@@ -35,11 +35,9 @@ void take_steps(mechanics::MovingBody& body, int steps, const solver::SolverPara
 }
 
 /// Force of each condition's support on the body [pN] at a displacement.
-inline std::vector<std::array<double, 3>> reactions(const mechanics::MovingBody& body,
+inline std::vector<std::array<double, 3>> reactions(mechanics::MovingBody& body,
                                                     const grid::Vector& u) {
-  grid::Vector force(body.balance().owned_map());
-  body.balance().unbalanced_force(u, force);
-  return body.balance().reactions(u, force);
+  return body.balance().reactions(u);
 }
 
 }  // namespace stroma::test

@@ -14,8 +14,8 @@ namespace stroma::test {
 
 /// One choice of shape functions, and of the domains that it averages over.
 struct ShapeChoice {
-  grid::ShapeFunctions shape_functions;
-  grid::ParticleDomain particle_domain;
+  shape::ShapeFunctions shape_functions;
+  mechanics::ParticleDomain particle_domain;
   std::string name;
 
   void apply_to(Specimen& specimen) const {
@@ -25,8 +25,8 @@ struct ShapeChoice {
 };
 
 inline std::vector<ShapeChoice> shape_choices() {
-  using grid::ParticleDomain;
-  using grid::ShapeFunctions;
+  using mechanics::ParticleDomain;
+  using shape::ShapeFunctions;
   return {{ShapeFunctions::linear, ParticleDomain::stretched, "Linear"},
           {ShapeFunctions::gimp, ParticleDomain::stretched, "GIMP"},
           {ShapeFunctions::gimp, ParticleDomain::undeformed, "GIMP_Undeformed"},
@@ -41,8 +41,8 @@ inline std::vector<ShapeChoice> shape_choices() {
 inline std::vector<ShapeChoice> smooth_choices() {
   std::vector<ShapeChoice> choices;
   for (const ShapeChoice& choice : shape_choices())
-    if (choice.shape_functions != grid::ShapeFunctions::linear &&
-        choice.particle_domain == grid::ParticleDomain::stretched)
+    if (choice.shape_functions != shape::ShapeFunctions::linear &&
+        choice.particle_domain == mechanics::ParticleDomain::stretched)
       choices.push_back(choice);
   return choices;
 }

@@ -35,10 +35,10 @@ struct Specimen {
   decltype(mechanics::Problem::body_force) body_force;  ///< [pN/um^3], at X
   std::vector<double> density;                          ///< of each law [kg/m^3]
   double stabilization = 0.0;
-  grid::ShapeFunctions shape_functions = grid::ShapeFunctions::linear;
-  grid::ParticleDomain particle_domain = grid::ParticleDomain::stretched;
-  grid::Dilatation dilatation = grid::Dilatation::pointwise;
-  grid::DeformationGradient deformation_gradient = grid::DeformationGradient::incremental;
+  shape::ShapeFunctions shape_functions = shape::ShapeFunctions::linear;
+  mechanics::ParticleDomain particle_domain = mechanics::ParticleDomain::stretched;
+  mechanics::Dilatation dilatation = mechanics::Dilatation::pointwise;
+  mechanics::DeformationGradient deformation_gradient = mechanics::DeformationGradient::incremental;
 
   grid::Grid grid() const {
     grid::Grid grid;
@@ -109,12 +109,12 @@ struct Specimen {
     const auto sizes = particles::layout_sizes(layout, problem.body, voxels(), voxel_size());
     problem.outer_thickness = sizes.outer_thickness;
     problem.particle_half_edge = sizes.half_edge;
-    problem.reset = reset;
-    problem.shape_functions = shape_functions;
-    problem.particle_domain = particle_domain;
-    problem.dilatation = dilatation;
-    problem.deformation_gradient = deformation_gradient;
-    problem.stabilization = stabilization;
+    problem.method.reset = reset;
+    problem.method.shape_functions = shape_functions;
+    problem.method.particle_domain = particle_domain;
+    problem.method.dilatation = dilatation;
+    problem.method.deformation_gradient = deformation_gradient;
+    problem.method.stabilization = stabilization;
     return problem;
   }
 

@@ -35,15 +35,13 @@ class KernelsOf : public ShapeKernels {
     launch("external force", points,
            transfer::ExternalForce<Shape, Device>{{points}, forces, density, at_particles, force});
   }
-  void spring_force(const Points& points, const BoundaryPoints& boundary, double load,
+  void spring_force(const Points& points, const BoundaryPoints& boundary,
                     const NodeView& force) const override {
-    launch("spring force", points,
-           transfer::SpringForce<Shape, Device>{{points}, boundary, load, force});
+    launch("spring force", points, transfer::SpringForce<Shape, Device>{{points}, boundary, force});
   }
-  void boundary_gaps(const Points& points, const BoundaryPoints& boundary, double load,
+  void boundary_gaps(const Points& points, const BoundaryPoints& boundary,
                      const NodeView& gap) const override {
-    launch("boundary gaps", points,
-           transfer::BoundaryGaps<Shape, Device>{{points}, boundary, load, gap});
+    launch("boundary gaps", points, transfer::BoundaryGaps<Shape, Device>{{points}, boundary, gap});
   }
   void spring_tangent(const Points& points, const BoundaryPoints& boundary,
                       const transfer::BlockRows<Device>& rows) const override {

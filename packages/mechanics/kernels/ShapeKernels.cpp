@@ -6,17 +6,17 @@
 
 namespace stroma::mechanics {
 
-std::shared_ptr<const ShapeKernels> kernels_for(grid::ShapeFunctions shape_functions, bool flat) {
+std::shared_ptr<const ShapeKernels> kernels_for(shape::ShapeFunctions shape_functions, bool flat) {
   switch (shape_functions) {
-    case grid::ShapeFunctions::linear:
+    case shape::ShapeFunctions::linear:
       return linear_kernels();
-    case grid::ShapeFunctions::gimp:
+    case shape::ShapeFunctions::gimp:
       return gimp_kernels(flat);
-    case grid::ShapeFunctions::cpdi:
+    case shape::ShapeFunctions::cpdi:
       return cpdi_kernels(flat);
-    case grid::ShapeFunctions::quadratic_b_spline:
+    case shape::ShapeFunctions::quadratic_b_spline:
       return quadratic_b_spline_kernels(flat);
-    case grid::ShapeFunctions::cubic_b_spline:
+    case shape::ShapeFunctions::cubic_b_spline:
       return cubic_b_spline_kernels(flat);
   }
   throw std::logic_error("unknown shape functions");

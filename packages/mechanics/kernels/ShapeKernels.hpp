@@ -8,8 +8,8 @@
 
 #include <memory>
 
-#include "stroma/grid/GridSection.hpp"
 #include "stroma/grid/Types.hpp"
+#include "stroma/shape/ShapeFunctions.hpp"
 #include "stroma/transfer/BoundaryPoints.hpp"
 #include "stroma/transfer/ExternalForce.hpp"
 #include "stroma/transfer/StencilRows.hpp"
@@ -46,10 +46,10 @@ class ShapeKernels {
                               const transfer::ForceAtParticles<Device>& at_particles,
                               const NodeView& force) const = 0;
   /// transfer::SpringForce; force is added to.
-  virtual void spring_force(const Points& points, const BoundaryPoints& boundary, double load,
+  virtual void spring_force(const Points& points, const BoundaryPoints& boundary,
                             const NodeView& force) const = 0;
   /// transfer::BoundaryGaps.
-  virtual void boundary_gaps(const Points& points, const BoundaryPoints& boundary, double load,
+  virtual void boundary_gaps(const Points& points, const BoundaryPoints& boundary,
                              const NodeView& gap) const = 0;
   /// transfer::SpringTangent.
   virtual void spring_tangent(const Points& points, const BoundaryPoints& boundary,
@@ -73,7 +73,7 @@ class ShapeKernels {
 };
 
 /// The kernels for a choice of shape functions, in space or in plane strain.
-std::shared_ptr<const ShapeKernels> kernels_for(grid::ShapeFunctions shape_functions, bool flat);
+std::shared_ptr<const ShapeKernels> kernels_for(shape::ShapeFunctions shape_functions, bool flat);
 
 // One per kind, each in its own file: they take long to compile.
 std::shared_ptr<const ShapeKernels> linear_kernels();

@@ -7,18 +7,18 @@
 namespace stroma::mechanics {
 
 std::shared_ptr<const StressKernels> stress_kernels(const LawList& laws,
-                                                    grid::ShapeFunctions shape_functions,
+                                                    shape::ShapeFunctions shape_functions,
                                                     bool flat) {
   switch (shape_functions) {
-    case grid::ShapeFunctions::linear:
+    case shape::ShapeFunctions::linear:
       return linear_stress_kernels(laws);
-    case grid::ShapeFunctions::gimp:
+    case shape::ShapeFunctions::gimp:
       return gimp_stress_kernels(laws, flat);
-    case grid::ShapeFunctions::cpdi:
+    case shape::ShapeFunctions::cpdi:
       return cpdi_stress_kernels(laws, flat);
-    case grid::ShapeFunctions::quadratic_b_spline:
+    case shape::ShapeFunctions::quadratic_b_spline:
       return quadratic_b_spline_stress_kernels(laws, flat);
-    case grid::ShapeFunctions::cubic_b_spline:
+    case shape::ShapeFunctions::cubic_b_spline:
       return cubic_b_spline_stress_kernels(laws, flat);
   }
   throw std::logic_error("unknown shape functions");

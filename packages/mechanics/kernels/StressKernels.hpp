@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "stroma/grid/GridSection.hpp"
 #include "stroma/grid/Types.hpp"
 #include "stroma/material/AnyLaw.hpp"
+#include "stroma/shape/ShapeFunctions.hpp"
 #include "stroma/transfer/GridToParticles.hpp"
 #include "stroma/transfer/StencilRows.hpp"
 #include "stroma/transfer/Tangent.hpp"
@@ -64,7 +64,7 @@ struct LawList {
 /// The kernels for a choice of shape functions, in space or in plane strain, and the laws of all
 /// materials. A body of neo-Hookean laws that do not vary has kernels of its own.
 std::shared_ptr<const StressKernels> stress_kernels(const LawList& laws,
-                                                    grid::ShapeFunctions shape_functions,
+                                                    shape::ShapeFunctions shape_functions,
                                                     bool flat);
 
 // One per kind, each in its own file: they take long to compile.

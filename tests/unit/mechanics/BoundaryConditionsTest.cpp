@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stroma/mechanics/BoundaryConditions.hpp"
+#include "stroma/mechanics/problem/BoundaryConditions.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::mechanics {

@@ -14,8 +14,8 @@
 namespace stroma::mechanics {
 namespace {
 
-using grid::ShapeFunctions;
 using material::VolumetricEnergy;
+using shape::ShapeFunctions;
 using test::Specimen;
 
 base::Communicator world() { return base::Communicator::world(); }
@@ -59,7 +59,7 @@ Specimen specimen_of(const Case& c) {
   }
   specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")}};
   specimen.shape_functions = c.shape_functions;
-  specimen.dilatation = grid::Dilatation::element_mean;
+  specimen.dilatation = mechanics::Dilatation::element_mean;
   specimen.reset = c.reset;
   return specimen;
 }
@@ -78,11 +78,11 @@ class MeanDilatation : public ::testing::TestWithParam<Case> {
   }
 
   static double energy(const MomentumBalance& balance, const grid::Vector& u) {
-    const auto density =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), balance.particle_fields(u).energy);
+    const auto density = Kokkos::create_mirror_view_and_copy(
+        Kokkos::HostSpace(), balance.body().particle_fields(u).energy);
     double total = 0.0;
-    for (int p = 0; p < balance.particles().count(); ++p)
-      total += balance.particles().volume(p) * density(p);
+    for (int p = 0; p < balance.body().particles().count(); ++p)
+      total += balance.body().particles().volume(p) * density(p);
     return world().sum(total);
   }
 
@@ -187,7 +187,7 @@ TEST_P(MeanDilatation, ChangesNothingWhereTheStrainIsUniform) {
   };
   specimen.laws = {specimen.laws[1]};
   const auto mean = specimen.balance(world());
-  specimen.dilatation = grid::Dilatation::pointwise;
+  specimen.dilatation = mechanics::Dilatation::pointwise;
   const auto pointwise = specimen.balance(world());
   const double c = std::cos(1.0), s = std::sin(1.0);
   const std::array<double, 9> strain{0.05, 0.20, 0, -0.10, 0.08, 0, 0, 0, 0};
@@ -200,8 +200,8 @@ TEST_P(MeanDilatation, ChangesNothingWhereTheStrainIsUniform) {
     const double stiffness = 9000.0 * 2.1 * 2.1;  // [pN] for a strain of one
     EXPECT_LT(sum(force(*mean, u), -1.0, force(*pointwise, u)).normInf(), 1e-12 * stiffness);
     EXPECT_NEAR(energy(*mean, u), energy(*pointwise, u), 1e-12 * (energy(*pointwise, u) + 9000.0));
-    const auto a = mean->particle_fields(u), b = pointwise->particle_fields(u);
-    for (int p = 0; p < mean->particles().count(); ++p) {
+    const auto a = mean->body().particle_fields(u), b = pointwise->body().particle_fields(u);
+    for (int p = 0; p < mean->body().particles().count(); ++p) {
       EXPECT_NEAR(a.jacobian(p), b.jacobian(p), 1e-13);
       for (int k = 0; k < 6; ++k) EXPECT_NEAR(a.stress(p, k), b.stress(p, k), 1e-12 * 9000.0);
     }
@@ -228,8 +228,8 @@ TEST_P(MeanDilatation, RigidMotionsLeaveNoStress) {
       return test::linear_field(balance.halo().partition().grid(),
                                 {c - 1, -s, 0, s, c - 1, 0, 0, 0, 0}, node, component);
     });
-    const auto fields = balance.particle_fields(u);
-    for (int p = 0; p < balance.particles().count(); ++p) {
+    const auto fields = balance.body().particle_fields(u);
+    for (int p = 0; p < balance.body().particles().count(); ++p) {
       EXPECT_NEAR(fields.jacobian(p), 1.0, 1e-12);
       for (int k = 0; k < 6; ++k) EXPECT_NEAR(fields.stress(p, k), 0.0, 1e-11 * 9000.0);
     }

@@ -103,7 +103,7 @@ double force_inside(const MomentumBalance& balance) {
 }
 
 void expect_uniform_state(const MomentumBalance& balance, const material::NeoHookean& law) {
-  const auto fields = balance.particle_fields(homogeneous(balance));
+  const auto fields = balance.body().particle_fields(homogeneous(balance));
   const auto jacobian = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.jacobian);
   const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
   const double j = tensor::det(tensor::identity() + gradient());
@@ -221,7 +221,7 @@ TEST(MomentumBalance, TheWorstParticleIsNamedAlikeOnAllRanks) {
   grid::Vector u1(alone->owned_map()), un(together->owned_map()), f(together->owned_map());
   test::fill(alone->halo(), u1, push);
   test::fill(together->halo(), un, push);
-  const WorstParticle a = alone->worst_particle(u1), b = together->worst_particle(un);
+  const WorstParticle a = alone->body().worst_particle(u1), b = together->body().worst_particle(un);
   EXPECT_GE(a.id, 0);
   EXPECT_EQ(a.id, b.id);
   EXPECT_LT(a.jacobian, 0.0);

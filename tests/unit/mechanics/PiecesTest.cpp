@@ -10,7 +10,7 @@
 
 #include "Refusal.hpp"
 #include "stroma/base/Log.hpp"
-#include "stroma/mechanics/PieceStatics.hpp"
+#include "stroma/mechanics/conditions/PieceStatics.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -135,7 +135,7 @@ TEST(Pieces, AreThoseOfTheShapeFunctions) {
   specimen.layout = {particles::Layout::voxel_centers, 1, 2};
   specimen.label = [](const grid::Index3& voxel) { return voxel[1] / 2 == 2 ? -1 : 0; };
   EXPECT_EQ(pieces_of(specimen).count, 2);
-  specimen.shape_functions = grid::ShapeFunctions::quadratic_b_spline;
+  specimen.shape_functions = shape::ShapeFunctions::quadratic_b_spline;
   EXPECT_EQ(pieces_of(specimen).count, 1);
 }
 

@@ -8,7 +8,7 @@
 
 #include <set>
 
-#include "stroma/mechanics/RigidMotion.hpp"
+#include "stroma/mechanics/conditions/RigidMotion.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::mechanics {

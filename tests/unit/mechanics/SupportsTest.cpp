@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "Refusal.hpp"
-#include "stroma/mechanics/Supports.hpp"
+#include "stroma/mechanics/conditions/Supports.hpp"
 
 namespace stroma::mechanics {
 namespace {

@@ -18,7 +18,7 @@
 namespace stroma::shape {
 namespace {
 
-using grid::ShapeFunctions;
+using shape::ShapeFunctions;
 
 template <class Shape_, ShapeFunctions kind_>
 struct Kind {

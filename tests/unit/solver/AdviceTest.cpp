@@ -74,8 +74,8 @@ TEST(Advice, IsGivenByWhatTheBodyIs) {
   specimen.stabilization = 1e-4;
   const auto balance = specimen.balance(world);
   SolverParameters solver;
-  grid::GridParameters grid;
-  grid.dilatation = grid::Dilatation::pointwise;
+  mechanics::GridParameters grid;
+  grid.dilatation = mechanics::DilatationChoice::pointwise;
   const Circumstances known = circumstances(solver, grid, 0.49, *balance);
   EXPECT_DOUBLE_EQ(known.contrast, 3e7);
   EXPECT_TRUE(known.is_single_precision);

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/mechanics/MovingBody.hpp"
+#include "stroma/solver/LoadStep.hpp"
 #include "stroma/solver/NewtonSolver.hpp"
 #include "support/Specimen.hpp"
 
@@ -114,12 +116,12 @@ TEST(NewtonSolver, RigidHoldsCarryNothingAndReactionsBalance) {
   const auto balance = specimen.balance(world());
   ASSERT_EQ(balance->supports().rigid_holds().size(), 3u);
   NewtonSolver newton(direct(), *balance);
-  grid::Vector u(balance->owned_map()), change(balance->owned_map()), f(balance->owned_map());
+  grid::Vector u(balance->owned_map()), change(balance->owned_map());
   balance->supports().impose(1.0, change);
   newton.predict(u, change);
   newton.solve(u);
-  balance->internal_force(u, f);
-  const auto reactions = balance->reactions(u, f);
+  const auto reactions = balance->reactions(u);
+  const grid::Vector& f = *balance->forces(u).unbalanced;
   const double force = reactions[1][1];
   EXPECT_GT(force, 1000.0);
   for (std::size_t c = 0; c < 3; ++c)
@@ -182,6 +184,44 @@ TEST(NewtonSolver, AnImpossibleLoadIsRejectedOnAllRanks) {
   grid::Vector u(balance->owned_map());
   balance->supports().impose(1.0, u);  // crushes the uppermost layer of elements
   EXPECT_THROW(newton.solve(u), base::StepRejected);
+}
+
+// What a step costs: one evaluation of the forces more than it has Newton iterations. The first
+// prediction starts from the forces that the unloaded body's reactions were taken from.
+TEST(NewtonSolver, EvaluatesForcesOnceMoreThanItIterates) {
+  class Counter : public mechanics::Term {
+   public:
+    explicit Counter(int& count) : count_(count) {}
+    bool changes_with_load() const override { return false; }
+    mechanics::TermForce force(const mechanics::TrialState&, grid::Vector& force) const override {
+      ++count_;
+      force.putScalar(0.0);
+      return {};
+    }
+
+   private:
+    int& count_;
+  };
+  test::Specimen specimen;
+  specimen.conditions = test::clamped(0.1);
+  int evaluations = 0;
+  mechanics::Problem problem = specimen.problem();
+  problem.terms = {[&](const mechanics::Body&) { return std::make_unique<Counter>(evaluations); }};
+  const auto world = base::Communicator::world();
+  mechanics::MovingBody body(world, specimen.partition(world), specimen.particles(world), problem);
+  NewtonSolver newton(SolverParameters{}, body.balance());
+  body.balance().reactions(body.displacement());
+  int expected = 1;
+  EXPECT_EQ(evaluations, expected);
+  for (int step = 1; step <= 4; ++step) {
+    begin_step(body, newton);
+    grid::Vector trial(body.balance().owned_map());
+    const int iterations = solve_step(body, newton, 0.25 * step, trial).iterations;
+    body.accept(0.25 * step, trial);
+    body.balance().reactions(trial);
+    expected += iterations + 1;
+    EXPECT_EQ(evaluations, expected) << "step " << step << ", " << iterations << " iterations";
+  }
 }
 
 }  // namespace

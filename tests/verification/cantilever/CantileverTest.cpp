@@ -30,7 +30,7 @@ TEST(Cantilever, BendsAsTheElasticaDoes) {
   const double EI = young * thickness * thickness * thickness / 12.0;
   constexpr int across = 4, per_element = 6;
   Specimen specimen;
-  specimen.shape_functions = grid::ShapeFunctions::quadratic_b_spline;
+  specimen.shape_functions = shape::ShapeFunctions::quadratic_b_spline;
   specimen.reset = true;
   specimen.stabilization = 0.01;
   specimen.plane_strain = true;
@@ -58,9 +58,9 @@ TEST(Cantilever, BendsAsTheElasticaDoes) {
     const int alpha = static_cast<int>(std::lround(10.0 * load_factor));
     if (elastica.count(alpha) == 0) return;
     // The tip: from the outermost column of particles to the end, as they are strained there.
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(u);
-    const auto gradient = body.balance().moved_particles(u).base_gradient;
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(u);
+    const auto gradient = body.balance().body().moved_particles(u).base_gradient;
     double count = 0.0, w = 0.0, back = 0.0;
     for (int p = 0; p < particles.count(); ++p) {
       const double beyond = L - particles.undeformed_position(p, 0);

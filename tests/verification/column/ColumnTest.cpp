@@ -56,8 +56,8 @@ Errors errors(const test::ShapeChoice& choice, bool reset, std::int64_t n, doubl
   double squares = 0.0, scale = 0.0, top = 0.0, highest = 0.0;
   test::take_steps(body, 10, test::to_rounding(), [&](double load, const grid::Vector& u) {
     if (load < 1.0) return;
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(u);
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(u);
     for (int p = 0; p < particles.count(); ++p) {
       const double Y = particles.undeformed_position(p, 1);
       const double exact = -q * (1.0 - Y / L);
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Smooth, SmoothColumn, ::testing::ValuesIn(test::smooth_
 // better than hats by an order of magnitude, but no more than that.
 TEST(Column, UndeformedDomainsDoNotConverge) {
   for (const auto& choice : test::shape_choices()) {
-    if (choice.particle_domain != grid::ParticleDomain::undeformed) continue;
+    if (choice.particle_domain != mechanics::ParticleDomain::undeformed) continue;
     Errors finest{};
     EXPECT_LT(order_of_stress(choice, true, finest), 0.5) << choice.name;
     EXPECT_LT(finest.stress, 0.05) << choice.name;

@@ -14,9 +14,9 @@
 namespace stroma {
 namespace {
 
-using grid::Dilatation;
-using grid::ShapeFunctions;
+using mechanics::Dilatation;
 using mechanics::Face;
+using shape::ShapeFunctions;
 using test::Specimen;
 
 base::Communicator world() { return base::Communicator::world(); }
@@ -73,8 +73,8 @@ double tip(const Panel& panel) {
   parameters.preconditioner = solver::PreconditionerKind::direct;
   double result = 0.0;
   test::take_steps(body, panel.steps, parameters, [&](double, const grid::Vector& u) {
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(u);
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(u);
     const auto along_y = [&](double x, double y) {  // of the particle seeded at (x, y), next to z+
       double found = 0.0;
       for (int p = 0; p < particles.count(); ++p) {
@@ -104,7 +104,7 @@ double tip_by(const char* name, const Panel& panel) {
 TEST(Cook, TheTipMovesAsInTheIndependentSolution) {
   constexpr double exact = 13.773;
   for (const test::ShapeChoice& choice : test::shape_choices()) {
-    if (choice.particle_domain == grid::ParticleDomain::undeformed) continue;
+    if (choice.particle_domain == mechanics::ParticleDomain::undeformed) continue;
     for (const bool reset : {false, true}) {
       Panel panel;
       panel.shape_functions = choice.shape_functions;

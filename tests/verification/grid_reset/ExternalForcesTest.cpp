@@ -60,10 +60,10 @@ TEST(ExternalForces, BalanceWithTheReactions) {
     specimen.body_force = uneven_force;
     mechanics::MovingBody body = specimen.moving_body(world());
     test::take_steps(body, 3, test::to_rounding(), [&](double load, const grid::Vector& u) {
-      const auto& balance = body.balance();
-      const auto& particles = balance.particles();
-      const auto fields = balance.particle_fields(u);
-      const auto H = balance.moved_particles(u).base_gradient;
+      auto& balance = body.balance();
+      const auto& particles = balance.body().particles();
+      const auto fields = balance.body().particle_fields(u);
+      const auto H = balance.body().moved_particles(u).base_gradient;
       double sums[6] = {}, size = 0.0;
       const double s = 2.1 / 2.0;  // distance of particles along x
       for (int p = 0; p < particles.count(); ++p) {
@@ -105,8 +105,7 @@ TEST(ExternalForces, BalanceWithTheReactions) {
           applied,
           load * (whole * (b[0] + 0.5 * 4.2) + 8.4 * 8.0 * t[0] + 1e-6 * a[0] * world().sum(mass)),
           1e-10 * std::abs(applied));
-      grid::Vector force(balance.owned_map());
-      balance.unbalanced_force(u, force);
+      const grid::Vector& force = *balance.forces(u).unbalanced;
       const grid::Grid& grid = balance.halo().partition().grid();
       std::map<std::int64_t, Vector3> at_node, node_force;
       const grid::Box owned = balance.halo().partition().owned_nodes(world().rank());

@@ -53,9 +53,9 @@ struct Fate {
 /// Every particle of this communicator's ranks, on each of them.
 std::map<std::int64_t, Fate> fates(const base::Communicator& communicator,
                                    const mechanics::MovingBody& body, const grid::Vector& u) {
-  const auto& particles = body.balance().particles();
-  const auto moved_to = body.balance().moved_particles(u).position;
-  const auto fields = body.balance().particle_fields(u);
+  const auto& particles = body.balance().body().particles();
+  const auto moved_to = body.balance().body().moved_particles(u).position;
+  const auto fields = body.balance().body().particle_fields(u);
   std::vector<double> mine;
   for (int p = 0; p < particles.count(); ++p) {
     const auto s = [&](int c) { return fields.stress(p, c); };
@@ -189,7 +189,7 @@ TEST(GridReset, EveryParticleChangesElement) {
     mechanics::MovingBody body = specimen.moving_body(communicator);
     std::map<std::int64_t, Fate> end;
     test::take_steps(body, 12, test::to_rounding(), [&](double load, const grid::Vector& u) {
-      const auto& particles = body.balance().particles();
+      const auto& particles = body.balance().body().particles();
       double volume = 0.0;
       for (int p = 0; p < particles.count(); ++p) volume += particles.volume(p);
       const double whole = 96 * h[0] * h[1] * h[2];
@@ -261,7 +261,7 @@ TEST(GridReset, GripsFollowADisplacementGradient) {
   specimen.conditions[0].second.displacement_gradient = G;
   mechanics::MovingBody body = specimen.moving_body(world());
   test::take_steps(body, 6, test::to_rounding(), [&](double load, const grid::Vector& u) {
-    const auto gradient = body.balance().moved_particles(u).base_gradient;
+    const auto gradient = body.balance().body().moved_particles(u).base_gradient;
     for (std::size_t p = 0; p < gradient.extent(0); ++p)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)

@@ -23,7 +23,7 @@ Specimen stretched(double strain, particles::Layout layout) {
   Specimen specimen;
   specimen.elements = {3, 6, 3};
   specimen.layout = {layout, 1, 2};
-  specimen.deformation_gradient = grid::DeformationGradient::projected_displacement;
+  specimen.deformation_gradient = mechanics::DeformationGradient::projected_displacement;
   specimen.conditions = {{"boundary", test::hold(Face::all, "xyz")}};
   specimen.conditions[0].second.displacement_gradient =
       std::array<double, 9>{0, 0, 0, 0, strain, 0, 0, 0, 0};
@@ -56,8 +56,8 @@ TEST(ProjectedDisplacement, IsWrongInTheElementsAtAFace) {
                                                                     : e * Y;
                              EXPECT_NEAR(value, expected, 1e-13);
                            });
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(body.displacement());
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(body.displacement());
     for (int p = 0; p < particles.count(); ++p) {
       const double Y = particles.position(p, 1);
       const bool at_face = Y < h || Y > L - h;
@@ -79,7 +79,7 @@ TEST(ProjectedDisplacement, OnAResetGridIsExactWhereTheProjectionIs) {
   test::take_steps(body, 4, test::to_rounding(), [&](double, const grid::Vector&) {});
   ASSERT_TRUE(body.begin_step());
   const auto& balance = body.balance();
-  const auto& particles = balance.particles();
+  const auto& particles = balance.body().particles();
 
   // Equation 1 by plain sums over all particles of the line; masses cancel, all are equal.
   const double h = 2.1;

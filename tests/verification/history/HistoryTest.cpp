@@ -33,9 +33,9 @@ template <class Law>
 mechanics::Laws own_laws(const std::vector<Law>& laws) {
   mechanics::Laws result;
   for (const Law& one : laws) result.moduli.push_back(one.small_strain());
-  result.kernels = [laws](grid::ShapeFunctions functions,
+  result.kernels = [laws](shape::ShapeFunctions functions,
                           bool) -> std::shared_ptr<const mechanics::StressKernels> {
-    if (functions == grid::ShapeFunctions::linear)
+    if (functions == shape::ShapeFunctions::linear)
       return std::make_shared<mechanics::StressKernelsOf<shape::Linear, Law>>(laws);
     return std::make_shared<mechanics::StressKernelsOf<shape::BSpline<2, 3>, Law>>(laws);
   };
@@ -131,7 +131,7 @@ TEST(History, ChangesWithAcceptedStepsOnly) {
 // follows.
 TEST(History, IsThatOfTheHatsUnderWiderFunctions) {
   test::Specimen specimen = sheared(0.3, false);
-  specimen.shape_functions = grid::ShapeFunctions::quadratic_b_spline;
+  specimen.shape_functions = shape::ShapeFunctions::quadratic_b_spline;
   specimen.label = test::crossing_bars;
   specimen.other_laws = own_laws(std::vector<DamagedLaw>{law, {{1041.6, 4860.8}, 0.6, 30.0}});
   mechanics::MovingBody body = specimen.moving_body(world());
@@ -140,7 +140,7 @@ TEST(History, IsThatOfTheHatsUnderWiderFunctions) {
   solver::NewtonSolver newton(test::to_rounding(), body.balance());
   step(body, newton, 1.0);
   solver::begin_step(body, newton);
-  hats->take_history(body.balance());
+  hats->body().take_history(body.balance().body());
   double sums[2][3] = {};
   double largest = 0.0;
   const mechanics::MomentumBalance* both[2] = {&body.balance(), hats.get()};

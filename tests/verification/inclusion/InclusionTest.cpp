@@ -61,8 +61,8 @@ Ratios ratios(const test::ShapeChoice& choice, std::int64_t radius, std::int64_t
   parameters.newton_tolerance = 1e-7;
   double sums[3] = {};  // volume, dilatation, strain along x
   test::take_steps(body, 1, parameters, [&](double, const grid::Vector& u) {
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(u);
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(u);
     for (int p = 0; p < particles.count(); ++p) {
       if (particles.material(p) != 1) continue;
       const double V = particles.volume(p);

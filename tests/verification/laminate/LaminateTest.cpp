@@ -75,8 +75,8 @@ double error(const Specimen& specimen, int steps, const Exact& exact) {
   int count = 0;
   test::take_steps(body, steps, test::to_rounding(), [&](double load, const grid::Vector& u) {
     if (load < 1.0) return;
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(u);
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(u);
     count = particles.count();
     for (int p = 0; p < count; ++p) {
       const double Y = particles.undeformed_position(p, 1);
@@ -116,8 +116,8 @@ double error_along(const test::ShapeChoice& choice, std::int64_t n) {
 class Laminate : public ::testing::TestWithParam<test::ShapeChoice> {
  protected:
   static bool is_smooth_at_nodes() {
-    return GetParam().shape_functions == grid::ShapeFunctions::quadratic_b_spline ||
-           GetParam().shape_functions == grid::ShapeFunctions::cubic_b_spline;
+    return GetParam().shape_functions == shape::ShapeFunctions::quadratic_b_spline ||
+           GetParam().shape_functions == shape::ShapeFunctions::cubic_b_spline;
   }
 };
 

@@ -14,9 +14,9 @@
 namespace stroma {
 namespace {
 
-using grid::Dilatation;
-using grid::ShapeFunctions;
+using mechanics::Dilatation;
 using mechanics::Face;
+using shape::ShapeFunctions;
 using test::Specimen;
 
 base::Communicator world() { return base::Communicator::world(); }
@@ -69,7 +69,7 @@ double motion(ShapeFunctions shape_functions, Dilatation dilatation, int element
   double mean = 0.0;
   test::take_steps(body, 5, direct(), [&](double, const grid::Vector& u) {
     const auto displacement = Kokkos::create_mirror_view_and_copy(
-        Kokkos::HostSpace(), body.balance().particle_fields(u).displacement);
+        Kokkos::HostSpace(), body.balance().body().particle_fields(u).displacement);
     double sum = 0.0;
     for (std::size_t p = 0; p < displacement.extent(0); ++p) sum += displacement(p, 0);
     mean = world().sum(sum) / world().sum(static_cast<double>(displacement.extent(0)));

@@ -80,8 +80,8 @@ Found solve(const test::ShapeChoice& choice, bool reset, std::int64_t n,
   double squares = 0.0, volume = 0.0, crossed = 0.0;
   test::take_steps(body, reset ? 5 : 1, parameters, [&](double load, const grid::Vector& u) {
     if (load < 1.0) return;
-    const auto& particles = body.balance().particles();
-    const auto fields = body.balance().particle_fields(u);
+    const auto& particles = body.balance().body().particles();
+    const auto fields = body.balance().body().particle_fields(u);
     for (int p = 0; p < particles.count(); ++p) {
       bool has_crossed = false;
       for (int d = 0; d < 2; ++d) {
@@ -122,9 +122,9 @@ TEST_P(ManufacturedReset, ConvergesWhenParticlesCross) { EXPECT_GT(order(GetPara
 // V-MAN-3. Crossing hats do not converge at all, and domains that stay as seeded to first order.
 TEST(ManufacturedReset, HatsAndUndeformedDomains) {
   for (const auto& choice : test::shape_choices()) {
-    if (choice.shape_functions == grid::ShapeFunctions::linear) {
+    if (choice.shape_functions == shape::ShapeFunctions::linear) {
       EXPECT_LT(order(choice, true), 0.0);
-    } else if (choice.particle_domain == grid::ParticleDomain::undeformed) {
+    } else if (choice.particle_domain == mechanics::ParticleDomain::undeformed) {
       EXPECT_NEAR(order(choice, true), 1.4, 0.3) << choice.name;
     }
   }

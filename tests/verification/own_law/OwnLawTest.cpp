@@ -26,7 +26,7 @@ template <class Law>
 mechanics::Laws own_laws(const std::vector<Law>& laws) {
   mechanics::Laws result;
   for (const Law& law : laws) result.moduli.push_back(law.small_strain());
-  result.kernels = [laws](grid::ShapeFunctions, bool) {
+  result.kernels = [laws](shape::ShapeFunctions, bool) {
     return std::make_shared<mechanics::StressKernelsOf<shape::Linear, Law>>(laws);
   };
   return result;
@@ -60,8 +60,8 @@ TEST(OwnLaw, SimpleShearHasTheAnalyticStress) {
   EXPECT_GT(expected, 2.9 * mu * g);
   test::take_steps(body, 8, test::to_rounding(), [&](double load, const grid::Vector& u) {
     if (load < 1.0) return;
-    const auto fields = body.balance().particle_fields(u);
-    for (int p = 0; p < body.balance().particles().count(); ++p)
+    const auto fields = body.balance().body().particle_fields(u);
+    for (int p = 0; p < body.balance().body().particles().count(); ++p)
       EXPECT_NEAR(fields.stress(p, 3), expected, 1e-11 * expected);
   });
 }

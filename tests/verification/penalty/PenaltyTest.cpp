@@ -52,11 +52,11 @@ Pull pull(const Specimen& specimen, int steps) {
   Pull result{};
   test::take_steps(body, steps, test::to_rounding(), [&](double, const grid::Vector& u) {
     const auto reactions = test::reactions(body, u);
-    const auto fields = body.balance().particle_fields(u);
+    const auto fields = body.balance().body().particle_fields(u);
     double energy = 0.0;
-    for (int p = 0; p < body.balance().particles().count(); ++p)
-      energy += fields.energy(p) * body.balance().particles().volume(p);
-    const double springs = body.balance().spring_energy(u);
+    for (int p = 0; p < body.balance().body().particles().count(); ++p)
+      energy += fields.energy(p) * body.balance().body().particles().volume(p);
+    const double springs = body.balance().support_energy(u);
     result = {reactions[0][1], reactions[1][1], springs / (springs + world().sum(energy))};
   });
   return result;
@@ -85,8 +85,8 @@ TEST(Penalty, LowersTheForceByItsShareOfTheEnergy) {
 }
 
 bool is_b_spline(const ShapeChoice& choice) {
-  return choice.shape_functions == grid::ShapeFunctions::quadratic_b_spline ||
-         choice.shape_functions == grid::ShapeFunctions::cubic_b_spline;
+  return choice.shape_functions == shape::ShapeFunctions::quadratic_b_spline ||
+         choice.shape_functions == shape::ShapeFunctions::cubic_b_spline;
 }
 
 class PenaltyOf : public ::testing::TestWithParam<ShapeChoice> {};
@@ -115,8 +115,8 @@ TEST_P(PenaltyOf, LinearMotionIsMet) {
         for (int d = 0; d < 3; ++d) H(c, d) = G[static_cast<std::size_t>(3 * c + d)];
       const tensor::Tensor3 sigma = material::cauchy_stress(specimen.laws[0], H);
       const double give = 1e-3 * sigma(1, 1);
-      const auto fields = body.balance().particle_fields(u);
-      for (int p = 0; p < body.balance().particles().count(); ++p) {
+      const auto fields = body.balance().body().particle_fields(u);
+      for (int p = 0; p < body.balance().body().particles().count(); ++p) {
         EXPECT_NEAR(fields.stress(p, 0), sigma(0, 0), give);
         EXPECT_NEAR(fields.stress(p, 1), sigma(1, 1), give);
         EXPECT_NEAR(fields.stress(p, 3), sigma(0, 1), give);
@@ -139,8 +139,8 @@ TEST_P(PenaltyOf, TranslationLeavesNoStress) {
     impose_by_penalty(specimen);
     mechanics::MovingBody body = specimen.moving_body(world());
     test::take_steps(body, 4, test::to_rounding(), [&](double, const grid::Vector& u) {
-      const auto fields = body.balance().particle_fields(u);
-      for (int p = 0; p < body.balance().particles().count(); ++p)
+      const auto fields = body.balance().body().particle_fields(u);
+      for (int p = 0; p < body.balance().body().particles().count(); ++p)
         for (int c = 0; c < 6; ++c) EXPECT_NEAR(fields.stress(p, c), 0.0, 1e-5);
     });
   }
@@ -156,7 +156,7 @@ TEST_P(PenaltyOf, ForcesBalance) {
   specimen.conditions = test::clamped(0.05);
   const double by_nodes = pull(specimen, 1).top;
   impose_by_penalty(specimen);
-  const bool is_smooth = specimen.shape_functions != grid::ShapeFunctions::linear;
+  const bool is_smooth = specimen.shape_functions != shape::ShapeFunctions::linear;
   for (const bool reset : {false, true}) {
     specimen.reset = reset;
     specimen.stabilization = reset ? 0.01 : 0.0;

@@ -95,8 +95,8 @@ double force_of(const Specimen& specimen) {
 }
 
 bool is_spline(const test::ShapeChoice& choice) {
-  return choice.shape_functions == grid::ShapeFunctions::quadratic_b_spline ||
-         choice.shape_functions == grid::ShapeFunctions::cubic_b_spline;
+  return choice.shape_functions == shape::ShapeFunctions::quadratic_b_spline ||
+         choice.shape_functions == shape::ShapeFunctions::cubic_b_spline;
 }
 
 /// Another count along each axis, so that all pairs of neighbours in the list are met.
@@ -110,7 +110,7 @@ std::array<std::int64_t, 3> anisotropic(std::size_t n) {
 template <class Check>
 void for_all(const Check& check) {
   for (const test::ShapeChoice& choice : test::shape_choices()) {
-    if (choice.particle_domain == grid::ParticleDomain::undeformed) continue;  // alike, so far
+    if (choice.particle_domain == mechanics::ParticleDomain::undeformed) continue;  // alike, so far
     double worst = 0.0;
     for (std::size_t n = 0; n < voxel_counts.size(); n += is_spline(choice) ? 4 : 1) {
       const auto voxels = anisotropic(n);
@@ -152,7 +152,8 @@ TEST(Quadrature, TheFirstStepOfAGridThatIsResetIsExactToo) {
 // far as it must.
 TEST(Quadrature, ATractionStretchesTheBlockAsItMust) {
   for (const test::ShapeChoice& choice : test::shape_choices()) {
-    if (is_spline(choice) || choice.particle_domain == grid::ParticleDomain::undeformed) continue;
+    if (is_spline(choice) || choice.particle_domain == mechanics::ParticleDomain::undeformed)
+      continue;
     for (std::size_t n = 0; n < voxel_counts.size(); n += 3) {
       const auto voxels = anisotropic(n);
       SCOPED_TRACE(testing::Message() << choice.name << ", " << voxels[0] << " x " << voxels[1]

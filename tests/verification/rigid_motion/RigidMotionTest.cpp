@@ -77,8 +77,8 @@ Vector3 shift_of(const Start& start, const Specimen& specimen) {
 void expect_rigid(const mechanics::MovingBody& body, const grid::Vector& u,
                   const std::map<std::int64_t, Vector3>& start, const Tensor3& R, const Vector3& t,
                   double shear_modulus) {
-  const auto& particles = body.balance().particles();
-  const auto fields = body.balance().particle_fields(u);
+  const auto& particles = body.balance().body().particles();
+  const auto fields = body.balance().body().particle_fields(u);
   for (int p = 0; p < particles.count(); ++p) {
     const auto s = [&](int c) { return fields.stress(p, c); };
     const double von_mises =
@@ -96,7 +96,7 @@ void expect_rigid(const mechanics::MovingBody& body, const grid::Vector& u,
 
 /// Positions of all particles at the start, by id, on each rank.
 std::map<std::int64_t, Vector3> positions(const mechanics::MovingBody& body) {
-  const auto& particles = body.balance().particles();
+  const auto& particles = body.balance().body().particles();
   std::vector<double> mine;
   for (int p = 0; p < particles.count(); ++p) {
     mine.push_back(static_cast<double>(particles.id(p)));

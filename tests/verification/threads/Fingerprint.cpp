@@ -85,22 +85,21 @@ void take(const base::Communicator& world, const std::string& body, const Specim
     fill(balance.halo(), v, any(1.0, 2));
     balance.set_load(0.5);
 
-    balance.unbalanced_force(u, force);
-    fingerprint.print(body, "unbalanced force", force);
+    fingerprint.print(body, "unbalanced force", *balance.forces(u).unbalanced);
     balance.tangent_times(u, v, force);
     fingerprint.print(body, "tangent times", force);
     balance.assemble_tangent(u);
     fingerprint.print(body, "tangent", balance.tangent_matrix()->getLocalMatrixDevice().values);
-    const auto fields = balance.particle_fields(u);
+    const auto fields = balance.body().particle_fields(u);
     fingerprint.print(body, "displacement", fields.displacement);
     fingerprint.print(body, "stress", fields.stress);
     fingerprint.print(body, "J", fields.jacobian);
     fingerprint.print(body, "energy", fields.energy);
     if (specimen.reset) {
-      const auto moved = balance.moved_particles(u);
+      const auto moved = balance.body().moved_particles(u);
       fingerprint.print(body, "moved position", moved.position);
       fingerprint.print(body, "moved gradient", moved.base_gradient);
-      balance.project_displacement(u, force);
+      balance.body().project_displacement(u, force);
       fingerprint.print(body, "projected displacement", force);
     }
     take_multigrid(fingerprint, body, balance, u, v);

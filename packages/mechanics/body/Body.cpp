@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/body/Body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/grid/ToDevice.hpp"
+#include "stroma/mechanics/body/Filling.hpp"
+#include "stroma/mechanics/problem/Scales.hpp"
+#include "stroma/particles/Fields.hpp"
+#include "stroma/particles/Migration.hpp"
+
+namespace stroma::mechanics {
+namespace {
+
+/// Refuses a grid or particles that the shape functions cannot work with.
+void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
+  const grid::Grid needed = grid::grid_for(problem.method.shape_functions, problem.body);
+  if (grid.width != needed.width || grid.centered != needed.centered)
+    throw base::InputError(
+        "the partition's grid is not the one for the problem's shape functions; admissible: one "
+        "made by grid::partition_for()");
+  for (const auto& half_edge : problem.particle_half_edge)
+    if (grid.centered && half_edge.empty())
+      throw base::InputError(
+          "these shape functions average over the particles' domains; admissible: "
+          "Problem::particle_half_edge of each layer of particles along each axis");
+}
+
+/// The domains as kernels want them: one box if all are alike.
+transfer::ParticleDomains<grid::Device> domains_of(const Problem& problem) {
+  transfer::ParticleDomains<grid::Device> domains;
+  std::vector<double> of_layer;
+  bool are_alike = true;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto& half_edge = problem.particle_half_edge[d];
+    if (half_edge.empty()) return {};
+    domains.half_edge[d] = half_edge.front();
+    domains.layers[d] = static_cast<std::int64_t>(half_edge.size());
+    of_layer.insert(of_layer.end(), half_edge.begin(), half_edge.end());
+    are_alike = are_alike && std::all_of(half_edge.begin(), half_edge.end(),
+                                         [&](double edge) { return edge == half_edge.front(); });
+  }
+  if (!are_alike) domains.of_layer = grid::to_device("domains", of_layer);
+  return domains;
+}
+
+}  // namespace
+
+Body::Body(const base::Communicator& communicator, const grid::Partition& partition,
+           const particles::Particles<Device>& particles, const Problem& problem)
+    : problem_(problem),
+      kernels_(kernels_for(problem.method.shape_functions, partition.grid().flat)),
+      stress_(problem.laws.kernels(problem.method.shape_functions, partition.grid().flat)),
+      halo_(communicator, partition),
+      particles_(particles),
+      box_(element_box(partition, communicator.rank())),
+      density_(grid::to_device("density", problem.density.empty()
+                                              ? std::vector<double>(problem.laws.size(), 1.0)
+                                              : problem.density)),
+      domains_(domains_of(problem)) {
+  check_shape_functions(problem, partition.grid());
+  check_scales(problem);
+  particles::begin_history(particles_, stress_->states());
+  typical_diagonal_ = problem.laws.stiffest_modulus() *
+                      std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
+  if (problem.method.stabilization > 0.0) find_fictitious_points(problem.method.stabilization);
+}
+
+Body::Points Body::points(const grid::Vector& u) const {
+  return {box_,
+          particles_,
+          halo_.gather(u),
+          fictitious_volume_,
+          domains_,
+          problem_.method.particle_domain == ParticleDomain::stretched,
+          problem_.method.dilatation == Dilatation::element_mean};
+}
+
+Body::NodeCounts Body::elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
+                                       bool with_fictitious_points,
+                                       const transfer::TouchedNodes<Device>& by_particles) const {
+  const grid::Vector at_rest(halo_.owned_map());
+  kernels_->touch(points(at_rest), chosen, with_fictitious_points, halo_.contributions(),
+                  by_particles);
+  grid::Vector owned(halo_.owned_map());
+  halo_.sum_to_owner(owned);
+  const grid::ConstNodeView everywhere = halo_.gather(owned);
+  const NodeCounts counts("elements around", everywhere.extent(0));
+  Kokkos::parallel_for(
+      "elements around",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(counts.extent(0))),
+      KOKKOS_LAMBDA(const int n) {
+        counts(n) = static_cast<std::uint8_t>(everywhere(n, 0) + 0.5);
+      });
+  return counts;
+}
+
+void Body::find_fictitious_points(double stabilization) {
+  const auto missing = missing_volume(box_, particles_);
+  const Kokkos::View<float*, Device> volume("fictitious volume", missing.extent(0));
+  const double count_of_element = kernels_->fictitious_points();
+  std::int64_t found = 0;
+  Kokkos::parallel_reduce(
+      "fictitious points",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(missing.extent(0))),
+      KOKKOS_LAMBDA(const int e, std::int64_t& sum) {
+        volume(e) = static_cast<float>(stabilization * missing(e) / count_of_element);
+        if (missing(e) > 0.0) ++sum;
+      },
+      found);
+  if (found > 0) fictitious_volume_ = volume;
+}
+
+Kokkos::View<std::uint8_t*, grid::Device> Body::filled_elements(
+    const grid::Partition& partition) const {
+  const bool is_own = partition.grid().centered == halo_.partition().grid().centered;
+  const auto begin = is_own
+                         ? particles_.element_begin
+                         : particles::migrate(communicator(), partition, particles_).element_begin;
+  const std::size_t count = begin.extent(0) - 1;
+  Kokkos::View<std::uint8_t*, Device> filled("filled", count);
+  Kokkos::parallel_for(
+      "filled elements", Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(count)),
+      KOKKOS_LAMBDA(const int e) { filled(e) = begin(e + 1) > begin(e) ? 1 : 0; });
+  return filled;
+}
+
+void Body::project_displacement(const grid::Vector& u, grid::Vector& projected) const {
+  const auto fields = particle_fields(u);
+  const Points at_u = points(u);
+  const std::size_t nodes = at_u.displacement.extent(0);
+  const grid::NodeView mass_of_nodes("mass", nodes), momentum("momentum", nodes);
+  kernels_->project_displacement(at_u, fields.displacement, density_, mass_of_nodes, momentum);
+  grid::Vector mass(halo_.owned_map());
+  Kokkos::deep_copy(halo_.contributions(), mass_of_nodes);
+  halo_.sum_to_owner(mass);
+  Kokkos::deep_copy(halo_.contributions(), momentum);
+  halo_.sum_to_owner(projected);
+  const auto m = grid::node_view(static_cast<const grid::Vector&>(mass));
+  const auto value = grid::node_view(projected);
+  Kokkos::parallel_for(
+      "divide by mass",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(value.extent(0))),
+      KOKKOS_LAMBDA(const int n) {
+        for (int c = 0; c < 3; ++c) value(n, c) = m(n, 0) > 0.0 ? value(n, c) / m(n, 0) : 0.0;
+      });
+}
+
+void Body::set_base_gradient(const grid::Vector& projected) {
+  const std::int64_t bad = kernels_->gradient_from_displacement(points(projected));
+  if (communicator().sum(bad) > 0)
+    throw base::RunError("the projected displacement turns particles inside out");
+}
+
+void Body::replace_displacement(const grid::Vector& old, const grid::Vector& now) {
+  grid::Vector difference(old, Teuchos::Copy);
+  difference.update(-1.0, now, 1.0);
+  kernels_->add_to_displacement(points(difference));
+}
+
+void Body::take_history(const Body& other) {
+  if (stress_->states() == 0) return;
+  const bool has_other_elements = other.halo_.partition().grid().centered;
+  particles_.history =
+      has_other_elements
+          ? particles::migrate(communicator(), halo_.partition(), other.particles_).history
+          : other.particles_.history;
+}
+
+particles::Particles<grid::Device> Body::moved_particles(const grid::Vector& u) const {
+  const auto moved = particles::with_room_to_move(particles_);
+  kernels_->advance(points(u), moved);
+  return moved;
+}
+
+transfer::ParticleFields<grid::Device> Body::particle_fields(const grid::Vector& u) const {
+  const base::Stage stage("grid to particles");
+  transfer::ParticleFields<Device> fields(particles_.count());
+  stress_->particle_fields(points(u), fields);
+  return fields;
+}
+
+std::function<void(const Body::FieldVisitor&)> Body::field_layers(const grid::Vector& u) const {
+  return [stress = stress_, at_u = points(u)](const FieldVisitor& visit) {
+    const base::Stage stage("grid to particles");
+    const transfer::ElementBox& box = at_u.box;
+    const auto element_begin =
+        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), at_u.particles.element_begin);
+    for (int k = 0; k < box.elements[2]; ++k) {
+      const int first = element_begin(box.element(0, 0, k));
+      const int count = element_begin(box.element(0, 0, k + 1)) - first;
+      if (count == 0) continue;
+      const transfer::ParticleFields<Device> fields(count);
+      stress->layer_fields(at_u, k, first, fields);
+      visit(first, fields);
+    }
+  };
+}
+
+double Body::largest_strain(const grid::Vector& u) const {
+  const auto material =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.material);
+  const auto own =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.shear_modulus);
+  double largest = 0.0;
+  field_layers(u)([&](int first, const transfer::ParticleFields<Device>& fields) {
+    const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
+    for (std::size_t p = 0; p < stress.extent(0); ++p) {
+      const std::size_t n = static_cast<std::size_t>(first) + p;
+      material::SmallStrainModuli moduli = problem_.laws.moduli[material(n)];
+      if (own.extent(0) > 0) moduli = moduli.with_shear_modulus(own(n));
+      const double modulus = moduli.uniaxial_strain();
+      for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(stress(p, c)) / modulus);
+    }
+  });
+  return communicator().max(largest);
+}
+
+WorstParticle Body::worst_particle(const grid::Vector& u) const {
+  const auto jacobian =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particle_fields(u).jacobian);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double least = infinity;
+  int worst = -1;
+  for (int p = 0; p < particles_.count(); ++p)
+    if (!(jacobian(p) >= least)) {
+      least = std::isnan(jacobian(p)) ? -infinity : jacobian(p);
+      worst = p;
+    }
+  const double least_of_all = communicator().min(least);
+  const int owner = communicator().min(worst >= 0 && least == least_of_all ? communicator().rank()
+                                                                           : communicator().size());
+  WorstParticle result;
+  if (owner == communicator().size()) return result;
+  if (owner == communicator().rank()) {
+    const auto one = [&](const auto& view) {
+      return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+    };
+    result.id = one(particles_.id)(worst);
+    result.material = one(particles_.material)(worst);
+    result.jacobian = jacobian(worst);
+    const auto position = one(particles_.position);
+    for (std::size_t d = 0; d < 3; ++d) result.position[d] = position(worst, static_cast<int>(d));
+  }
+  communicator().broadcast(result.id, owner);
+  communicator().broadcast(result.material, owner);
+  communicator().broadcast(result.jacobian, owner);
+  communicator().broadcast(result.position.data(), 3, owner);
+  return result;
+}
+
+}  // namespace stroma::mechanics

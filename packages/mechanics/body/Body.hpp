@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// A body of particles on the grid of one base configuration.
+
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "stroma/grid/Halo.hpp"
+#include "stroma/mechanics/kernels/ShapeKernels.hpp"
+#include "stroma/mechanics/problem/Problem.hpp"
+#include "stroma/particles/Particles.hpp"
+#include "stroma/transfer/GridToParticles.hpp"
+
+namespace stroma::mechanics {
+
+/// The particle that fares worst: the one with the smallest J.
+struct WorstParticle {
+  std::int64_t id = -1;
+  int material = 0;
+  double jacobian = 0.0;
+  std::array<double, 3> position{};  ///< at the base configuration [um]
+};
+
+/// The particles, the grid under them, and the ways between the two. The displacement u of the
+/// grid's nodes since the base configuration [um] is a Tpetra vector over halo().owned_map(); it
+/// deforms the particles. Member functions are collective unless they say otherwise.
+class Body {
+ public:
+  using Device = grid::Device;
+  using Points = transfer::PointSet<Device>;
+  using NodeCounts = Kokkos::View<std::uint8_t*, Device>;
+
+  /// \param communicator  of the ranks that share the body
+  /// \param partition     which elements and nodes are whose
+  /// \param particles     this rank's, in the order of their elements
+  /// \param problem       materials, conditions, loads and the choice of method
+  /// \throws base::InputError when the shape functions cannot work with the grid or the particles,
+  ///         or when sizes are beyond what numbers hold (Scales.hpp)
+  Body(const base::Communicator& communicator, const grid::Partition& partition,
+       const particles::Particles<Device>& particles, const Problem& problem);
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  // Not collective.
+  const base::Communicator& communicator() const { return halo_.communicator(); }
+  const grid::Halo& halo() const { return halo_; }
+  const Problem& problem() const { return problem_; }
+  const particles::Particles<Device>& particles() const { return particles_; }
+  const transfer::ElementBox& box() const { return box_; }
+  const ShapeKernels& kernels() const { return *kernels_; }
+  const std::shared_ptr<const StressKernels>& stress() const { return stress_; }
+  /// (material) [kg/m^3]; 1 where the problem gives none.
+  const Kokkos::View<const double*, Device>& density() const { return density_; }
+  /// About the size of an element's entries on the tangent's diagonal [pN/um].
+  double typical_diagonal() const { return typical_diagonal_; }
+
+  /// The body's points with a displacement, good until the next gather or sum of the halo.
+  Points points(const grid::Vector& u) const;
+
+  /// (local element of a partition) whether the element holds a particle. The partition is that of
+  /// the grid, or of the lattice under it.
+  Kokkos::View<std::uint8_t*, Device> filled_elements(const grid::Partition& partition) const;
+  /// (touched node) the elements around it, of any rank, in which a particle touches it.
+  ///
+  /// \param chosen                 (particle) 0: it does not count; empty: all do
+  /// \param with_fictitious_points  whether these count too
+  /// \param by_particles           if not empty, gets the nodes that each element's particles touch
+  NodeCounts elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
+                             bool with_fictitious_points,
+                             const transfer::TouchedNodes<Device>& by_particles = {}) const;
+
+  /// The displacement of the particles from the undeformed body, put on the grid anew (the paper's
+  /// equation 1): u_I = sum_p m_p N_I u_p / sum_p m_p N_I  [um]; 0 where no particle is.
+  void project_displacement(const grid::Vector& u, grid::Vector& projected) const;
+  /// Sets the base gradient of movable particles from a displacement of the nodes that leads from
+  /// the undeformed body to the base (the paper's equation 2).
+  /// \throws base::RunError when it turns particles inside out
+  void set_base_gradient(const grid::Vector& projected);
+  /// Lets particles that track their displacement keep it when the nodes' displacement since an
+  /// undeformed base is replaced by another.
+  void replace_displacement(const grid::Vector& old, const grid::Vector& now);
+  /// Takes what the particles of the same body on another grid remember (transfer::UpdateHistory).
+  void take_history(const Body& other);
+  /// The particles at the displaced configuration, in the same order.
+  particles::Particles<Device> moved_particles(const grid::Vector& u) const;
+
+  /// Results at this rank's particles.
+  transfer::ParticleFields<Device> particle_fields(const grid::Vector& u) const;
+  /// The same, one layer of elements along z at a time, so that nobody keeps them all: a function
+  /// that calls visit(first particle, fields of the layer) for each layer that holds particles, in
+  /// the order of the particles, as often as it is called. Making it is collective, calling it is
+  /// not; it is good until the halo is used again.
+  using FieldVisitor = std::function<void(int, const transfer::ParticleFields<Device>&)>;
+  std::function<void(const FieldVisitor&)> field_layers(const grid::Vector& u) const;
+  WorstParticle worst_particle(const grid::Vector& u) const;
+  /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
+  /// much the body is strained where it is strained most. Rounding makes 1e-15 of a body at rest.
+  double largest_strain(const grid::Vector& u) const;
+
+ private:
+  void find_fictitious_points(double stabilization);
+
+  Problem problem_;
+  std::shared_ptr<const ShapeKernels> kernels_;
+  std::shared_ptr<const StressKernels> stress_;
+  grid::Halo halo_;
+  particles::Particles<Device> particles_;
+  transfer::ElementBox box_;
+  Kokkos::View<const double*, Device> density_;
+  Kokkos::View<const float*, Device> fictitious_volume_;
+  transfer::ParticleDomains<Device> domains_;
+  double typical_diagonal_;
+};
+
+}  // namespace stroma::mechanics

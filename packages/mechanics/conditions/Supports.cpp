@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/conditions/Supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
+
+namespace stroma::mechanics {
+namespace {
+
+/// Whether a node lies on a face of the body's box. In plane strain the one layer of nodes lies on
+/// both faces of z.
+bool lies_on(Face face, const std::array<double, 3>& x, const grid::Grid& body) {
+  for (int d = 0; d < 3; ++d) {
+    if (face != Face::all && axis_of(face) != d) continue;
+    const auto i = static_cast<std::size_t>(d);
+    const double tolerance = 1e-6 * body.spacing[i];
+    const bool lower = std::abs(x[i] - body.origin[i]) < tolerance;
+    const bool upper =
+        std::abs(x[i] - body.origin[i] - body.length(d)) < tolerance || (body.flat && d == 2);
+    if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) return true;
+  }
+  return false;
+}
+
+/// Refuses what the grid cannot do.
+void check_condition(const Problem& problem, const std::string& name,
+                     const BoundaryCondition& condition) {
+  const std::string where = "Boundary Conditions|" + name;
+  const auto& G = condition.displacement_gradient;
+  if (problem.body.flat && G && ((*G)[2] != 0.0 || (*G)[5] != 0.0 || (*G)[8] != 0.0))
+    throw base::InputError(where +
+                           "|Displacement Gradient: displacements that vary along z are not plane "
+                           "strain; admissible: zeros in the third column");
+  if (!problem.method.reset || problem.imposed_by(condition) == ImposedBy::penalty) return;
+  if (!condition.is_self_contained())
+    throw base::InputError(
+        where + (condition.rotation ? "|Rotation [deg]" : "|Displacement Gradient") +
+        ": with Grid|Reset, the displacement must not depend on a direction that the condition "
+        "leaves free; admissible: " +
+        (condition.rotation ? "components that are free along the axis only"
+                            : "zeros in the columns of components that are not prescribed"));
+  if (problem.imposed_by(condition) == ImposedBy::nodes && !condition.stays_in_plane())
+    throw base::InputError(
+        where +
+        "|Imposed By: with Grid|Reset, Nodes can hold only a face that stays in "
+        "its plane (its normal displacement prescribed as zero); admissible: Grip, Penalty");
+}
+
+}  // namespace
+
+Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_load,
+                   const SupportedBody& body, BodyStatics& statics)
+    : halo_(&halo),
+      problem_(&problem),
+      conditions_(static_cast<int>(problem.conditions.size())),
+      base_load_(base_load) {
+  const auto& communicator = halo.communicator();
+  const grid::Box owned = halo.partition().owned_nodes(communicator.rank());
+  held_owned_.assign(static_cast<std::size_t>(owned.count()), 0);
+  prescribe_faces(problem, body);
+
+  for (const Prescribed& p : prescribed_) {
+    const int piece = piece_of(body.pieces, p.unknown);
+    if (piece != Pieces::none)
+      statics.add_held(
+          {piece, component(p.unknown), p.condition, p.rate,
+           p.condition >= 0 &&
+               !problem.conditions[static_cast<std::size_t>(p.condition)].second.is_linear()});
+  }
+  body.held_otherwise([&](const HeldComponent& held) { statics.add_held(held); });
+  statics.complete();
+  if (body.is_refused_if_loose) {
+    std::vector<std::string> names;
+    for (const auto& named : problem.conditions) names.push_back(named.first);
+    statics.refuse_what_moves(names, base_load == 0.0);
+  }
+  pieces_ = statics.summary();
+  carry_idle_pieces(body, statics);
+  hold_free_motions(body, statics.free_pieces(), problem.method.reset);
+  mark_held();
+  held_owned_ = {};
+}
+
+NodeComponent Supports::component(int unknown) const {
+  const grid::Partition& partition = halo_->partition();
+  const grid::Index3 node = partition.owned_nodes(halo_->communicator().rank()).index(unknown / 3);
+  return {partition.node_number(node), partition.grid().node_position(node), unknown % 3};
+}
+
+int Supports::piece_of(const Pieces& pieces, int unknown) const {
+  const grid::Partition& partition = halo_->partition();
+  const int rank = halo_->communicator().rank();
+  return pieces.of_node(
+      partition.touched_nodes(rank).local(partition.owned_nodes(rank).index(unknown / 3)));
+}
+
+void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supported) {
+  const auto& communicator = halo_->communicator();
+  const grid::Partition& partition = halo_->partition();
+  const grid::Grid& grid = partition.grid();
+  const grid::Grid& body = problem.body;
+  const NamedConditions& conditions = problem.conditions;
+  const grid::Box owned = partition.owned_nodes(communicator.rank());
+  const grid::Box touched = partition.touched_nodes(communicator.rank());
+  const auto host = [](const NodeCounts& counts) {
+    return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), counts);
+  };
+  const auto filled = host(supported.filled_around);
+  std::vector<NodeCounts::HostMirror> in_grip;
+  for (const NodeCounts& grip : supported.gripped) in_grip.push_back(host(grip));
+  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+
+  std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
+  const auto name_of = [&](int m) { return conditions[static_cast<std::size_t>(m)].first; };
+  const auto condition_of = [&](int m) -> const BoundaryCondition& {
+    return conditions[static_cast<std::size_t>(m)].second;
+  };
+  base::collectively(communicator, [&] {
+    for (const auto& [name, condition] : conditions) check_condition(problem, name, condition);
+    grid::for_each_index(owned, [&](const grid::Index3& node) {
+      const auto n = static_cast<std::size_t>(owned.local(node));
+      const auto x = grid.node_position(node);
+      const std::int64_t t = touched.local(node);
+      const bool node_is_active = filled(t) != 0;
+      active_nodes_ += node_is_active ? 1 : 0;
+      for (int c = 0; c < 3; ++c) {
+        int by = node_is_active ? conditions_ : static_cast<int>(untouched);
+        std::array<double, 3> X_by{};
+        for (int m = 0; m < conditions_ && node_is_active; ++m) {
+          const BoundaryCondition& condition = conditions[static_cast<std::size_t>(m)].second;
+          const ImposedBy by_what = problem.imposed_by(condition);
+          if (!condition.prescribes(c) || by_what == ImposedBy::penalty) continue;
+          const bool applies = by_what == ImposedBy::grip
+                                   ? in_grip[static_cast<std::size_t>(m)](t) != 0
+                                   : lies_on(*condition.face, x, body);
+          if (!applies) continue;
+          ++nodes_of_condition[static_cast<std::size_t>(m)];
+          const auto X = condition.carried_from(x, base_load_, body.origin, length);
+          if (by == conditions_) {
+            by = m;
+            X_by = X;
+          } else if (!agree({condition_of(by), X_by}, {condition, X}, c, body.origin, length)) {
+            throw base::InputError(conflict(name_of(by), name_of(m), c, x,
+                                            condition_of(by).value(c, X_by, body.origin, length),
+                                            condition.value(c, X, body.origin, length)));
+          }
+        }
+        const bool is_moved = by >= 0 && by < conditions_;
+        if (grid.flat && c == 2 && node_is_active) {
+          if (is_moved && !agree({condition_of(by), X_by}, {{}, X_by}, c, body.origin, length))
+            throw base::InputError(conflict(
+                name_of(by), "", c, x, condition_of(by).value(c, X_by, body.origin, length), 0.0));
+          if (!is_moved) by = plane_strain;
+        }
+        if (by == conditions_) continue;
+        held_owned_[n] = static_cast<std::uint8_t>(held_owned_[n] | 1u << c);
+        const int unknown = static_cast<int>(3 * n) + c;
+        prescribed_.push_back(
+            {unknown, by, is_moved ? condition_of(by).rate(c, X_by, body.origin, length) : 0.0});
+        if (is_moved && !condition_of(by).is_linear()) turned_.push_back({unknown, by, X_by});
+      }
+    });
+  });
+  for (std::size_t m = 0; m < conditions.size(); ++m)
+    if (problem.imposed_by(conditions[m].second) != ImposedBy::penalty &&
+        communicator.sum(nodes_of_condition[m]) == 0)
+      throw base::InputError(no_particle_near(conditions[m].first));
+}
+
+void Supports::carry_idle_pieces(const SupportedBody& body, const BodyStatics& statics) {
+  if (pieces_.carried == 0) return;
+  for (std::size_t n = 0; n < held_owned_.size(); ++n) {
+    const int piece = piece_of(body.pieces, static_cast<int>(3 * n));
+    if (piece == Pieces::none || !statics.is_carried(piece)) continue;
+    for (int c = 0; c < 3; ++c)
+      if (!(held_owned_[n] >> c & 1))
+        prescribed_.push_back({static_cast<int>(3 * n) + c, carried,
+                               statics.translation(piece)[static_cast<std::size_t>(c)]});
+    held_owned_[n] = 7;
+  }
+}
+
+void Supports::hold_free_motions(const SupportedBody& body,
+                                 const std::vector<std::int64_t>& free_pieces,
+                                 bool only_deep_nodes) {
+  if (free_pieces.empty()) return;
+  const auto& communicator = halo_->communicator();
+  const grid::Partition& partition = halo_->partition();
+  const grid::Box owned = partition.owned_nodes(communicator.rank());
+  const grid::Box touched = partition.touched_nodes(communicator.rank());
+  const auto filled = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body.filled_around);
+
+  std::vector<std::vector<int>> nodes(static_cast<std::size_t>(body.pieces.count()));  // of pieces
+  for (std::size_t n = 0; n < held_owned_.size(); ++n) {
+    const int piece = piece_of(body.pieces, static_cast<int>(3 * n));
+    if (piece != Pieces::none)
+      nodes[static_cast<std::size_t>(piece)].push_back(static_cast<int>(n));
+  }
+  const std::vector<int> no_nodes;
+  for (const std::int64_t label : free_pieces) {
+    const int piece = body.pieces.find(label);
+    const std::vector<int>& own =
+        piece == Pieces::none ? no_nodes : nodes[static_cast<std::size_t>(piece)];
+    const auto filled_around = [&](int n) { return filled(touched.local(owned.index(n))); };
+    // Nodes deep in the body can hold a rigid motion; one that the body barely touches cannot.
+    std::uint8_t least = 1;
+    if (only_deep_nodes) {
+      for (const int n : own) least = std::max(least, filled_around(n));
+      least = communicator.max(least);
+    }
+    const auto visit_if = [&](bool is_held, std::uint8_t filled_at_least, const auto& visit) {
+      for (const int n : own)
+        for (int c = 0; c < 3; ++c)
+          if ((held_owned_[static_cast<std::size_t>(n)] >> c & 1) == (is_held ? 1 : 0) &&
+              filled_around(n) >= filled_at_least)
+            visit(component(3 * n + c));
+    };
+    const std::vector<NodeComponent> holds = free_rigid_motions(
+        communicator,
+        [&](const auto& visit) {
+          visit_if(true, 1, visit);
+          body.held_otherwise([&](const HeldComponent& held) {
+            if (held.piece == piece) visit(held.at);
+          });
+        },
+        [&](const auto& visit) { visit_if(false, least, visit); });
+    for (const NodeComponent& hold : holds) {
+      rigid_holds_.push_back(hold);
+      const std::int64_t n = hold.node - partition.first_node(communicator.rank());
+      if (n < 0 || n >= owned.count()) continue;
+      prescribed_.push_back({static_cast<int>(3 * n) + hold.component, rigid_motion, 0.0});
+    }
+  }
+}
+
+/// Lets ranks know what is held at the nodes that they touch, and counts what is not.
+void Supports::mark_held() {
+  std::int64_t held_of_active = 0;
+  grid::Vector bits(halo_->owned_map());
+  {
+    const auto bit = Kokkos::create_mirror_view(grid::node_view(bits));
+    Kokkos::deep_copy(bit, 0.0);
+    for (const Prescribed& p : prescribed_) {
+      bit(p.unknown / 3, p.unknown % 3) = 1.0;
+      held_of_active += p.condition != untouched ? 1 : 0;
+    }
+    Kokkos::deep_copy(grid::node_view(bits), bit);
+  }
+  unknowns_ = halo_->communicator().sum(3 * active_nodes_ - held_of_active);
+
+  const auto touched_bits =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), halo_->gather(bits));
+  held_ = Kokkos::View<std::uint8_t*, Device>("held", touched_bits.extent(0));
+  const auto held = Kokkos::create_mirror_view(held_);
+  for (std::size_t n = 0; n < touched_bits.extent(0); ++n)
+    for (int c = 0; c < 3; ++c)
+      if (touched_bits(n, c) != 0.0) held(n) = static_cast<std::uint8_t>(held(n) | 1u << c);
+  Kokkos::deep_copy(held_, held);
+}
+
+std::vector<std::string> Supports::notes() const {
+  constexpr std::size_t most_listed = 6;
+  std::vector<std::string> notes;
+  for (std::size_t n = 0; n < std::min(rigid_holds_.size(), most_listed); ++n) {
+    const NodeComponent& hold = rigid_holds_[n];
+    notes.push_back(
+        base::format("the boundary conditions leave a rigid motion free; u_%c is held at the node "
+                     "at (%g, %g, %g) um, which has no effect on the stress",
+                     "xyz"[hold.component], hold.position[0], hold.position[1], hold.position[2]));
+  }
+  if (rigid_holds_.size() > most_listed)
+    notes.push_back(base::format("and so are %zu more components of other pieces of the body",
+                                 rigid_holds_.size() - most_listed));
+  if (pieces_.carried > 0)
+    notes.push_back(base::format(
+        "%lld of the body's %lld pieces (which share no node of the grid) carry no load: %.3g %% "
+        "of its particles, in %lld elements. They stay where they are, or move with the condition "
+        "that holds them, without stress, and leave the system; the rest does not feel it. The "
+        "largest: %s",
+        static_cast<long long>(pieces_.carried), static_cast<long long>(pieces_.count),
+        100.0 * static_cast<double>(pieces_.carried_particles) /
+            static_cast<double>(pieces_.particles),
+        static_cast<long long>(pieces_.carried_elements), pieces_.largest_carried.c_str()));
+  return notes;
+}
+
+void Supports::impose(double load, grid::Vector& u) const {
+  const auto values = u.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (const Prescribed& p : prescribed_) values(p.unknown, 0) = (load - base_load_) * p.rate;
+  const grid::Grid& body = problem_->body;
+  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+  for (const Turned& t : turned_) {
+    const BoundaryCondition& condition =
+        problem_->conditions[static_cast<std::size_t>(t.condition)].second;
+    const auto at = [&](double s) {
+      return condition.value(t.unknown % 3, t.X, body.origin, length, s);
+    };
+    values(t.unknown, 0) = at(load) - at(base_load_);
+  }
+}
+
+grid::Vector Supports::change(double load, const grid::Vector& u) const {
+  grid::Vector change(u, Teuchos::Copy);
+  impose(load, change);
+  change.update(-1.0, u, 1.0);
+  return change;
+}
+
+void Supports::clear(grid::Vector& v) const {
+  const auto values = v.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (const Prescribed& p : prescribed_) values(p.unknown, 0) = 0.0;
+}
+
+template <class Condition>
+double Supports::norm_where(const grid::Vector& unbalanced_force, const Condition& is_one) const {
+  const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);
+  double sum = 0.0;
+  for (const Prescribed& p : prescribed_)
+    if (is_one(p.condition)) sum += force(p.unknown, 0) * force(p.unknown, 0);
+  return std::sqrt(halo_->communicator().sum(sum));
+}
+
+double Supports::reaction_norm(const grid::Vector& unbalanced_force) const {
+  return norm_where(unbalanced_force, [](int condition) { return condition >= 0; });
+}
+
+double Supports::hold_norm(const grid::Vector& unbalanced_force) const {
+  if (rigid_holds_.empty()) return 0.0;
+  return norm_where(unbalanced_force, [](int condition) { return condition == rigid_motion; });
+}
+
+std::vector<std::array<double, 3>> Supports::reactions(const grid::Vector& unbalanced_force) const {
+  std::vector<std::array<double, 3>> sums(static_cast<std::size_t>(conditions_));
+  const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (const Prescribed& p : prescribed_)
+    if (p.condition >= 0)
+      sums[static_cast<std::size_t>(p.condition)][static_cast<std::size_t>(p.unknown % 3)] +=
+          force(p.unknown, 0);
+  if (!sums.empty()) halo_->communicator().sum_all(sums.front().data(), 3 * sums.size());
+  return sums;
+}
+
+}  // namespace stroma::mechanics

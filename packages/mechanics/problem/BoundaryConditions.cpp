@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/problem/BoundaryConditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "stroma/base/Log.hpp"
+#include "stroma/tensor/Tensor3.hpp"
+
+namespace stroma::mechanics {
+
+int axis_of(Face face) { return face == Face::all ? -1 : static_cast<int>(face) / 2; }
+
+bool is_upper(Face face) { return face != Face::all && static_cast<int>(face) % 2 == 1; }
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double radians = 0.017453292519943295;  // in a degree
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// How a point with an arm r moves when it is turned about a unit axis.
+Vector turned(const Vector& axis, const Vector& arm, double angle) {
+  const Vector once = cross(axis, arm), twice = cross(axis, once);
+  const double s = std::sin(0.5 * angle);
+  Vector u;
+  for (std::size_t c = 0; c < 3; ++c) u[c] = std::sin(angle) * once[c] + 2.0 * s * s * twice[c];
+  return u;
+}
+
+}  // namespace
+
+Vector BoundaryCondition::unit_axis() const {
+  Vector unit{};
+  if (!axis) {
+    unit[static_cast<std::size_t>(axis_of(*face))] = 1.0;
+    return unit;
+  }
+  const double size = std::hypot((*axis)[0], (*axis)[1], (*axis)[2]);
+  for (std::size_t d = 0; d < 3; ++d) unit[d] = (*axis)[d] / size;
+  return unit;
+}
+
+Vector BoundaryCondition::arm(const Vector& position, const Vector& corner,
+                              const Vector& length) const {
+  Vector arm;
+  for (std::size_t d = 0; d < 3; ++d)
+    arm[d] = position[d] - (center ? (*center)[d] : corner[d] + 0.5 * length[d]);
+  return arm;
+}
+
+double BoundaryCondition::value(int component, const Vector& position, const Vector& corner,
+                                const Vector& length, double load) const {
+  const auto c = static_cast<std::size_t>(component);
+  if (displacement) return load * (*displacement)[c];
+  if (strain && axis_of(*face) == component)
+    return load * ((is_upper(*face) ? 1.0 : -1.0) * *strain * length[c]);
+  if (displacement_gradient) {
+    double sum = 0.0;
+    for (std::size_t d = 0; d < 3; ++d)
+      sum += (*displacement_gradient)[3 * c + d] * (position[d] - corner[d]);
+    return load * sum;
+  }
+  if (rotation)
+    return turned(unit_axis(), arm(position, corner, length), load * *rotation * radians)[c];
+  return 0.0;
+}
+
+double BoundaryCondition::rate(int component, const Vector& position, const Vector& corner,
+                               const Vector& length) const {
+  if (is_linear()) return value(component, position, corner, length);
+  return *rotation * radians *
+         cross(unit_axis(), arm(position, corner, length))[static_cast<std::size_t>(component)];
+}
+
+std::array<double, 3> BoundaryCondition::carried_from(const Vector& x, double load,
+                                                      const Vector& corner,
+                                                      const Vector& length) const {
+  Vector X = x;
+  if (displacement_gradient) {
+    tensor::Tensor3 motion = tensor::identity();
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3 && prescribes(c); ++d)
+        motion(c, d) += load * (*displacement_gradient)[static_cast<std::size_t>(3 * c + d)];
+    const tensor::Tensor3 back = tensor::inverse(motion);
+    for (int c = 0; c < 3; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      X[i] = corner[i];
+      for (int d = 0; d < 3; ++d)
+        X[i] += back(c, d) * (x[static_cast<std::size_t>(d)] - corner[static_cast<std::size_t>(d)]);
+    }
+    return X;
+  }
+  if (rotation) {
+    const Vector back = turned(unit_axis(), arm(x, corner, length), -load * *rotation * radians);
+    for (int c = 0; c < 3; ++c)
+      if (prescribes(c)) X[static_cast<std::size_t>(c)] += back[static_cast<std::size_t>(c)];
+    return X;
+  }
+  for (int c = 0; c < 3; ++c)
+    if (prescribes(c)) X[static_cast<std::size_t>(c)] -= value(c, x, corner, length, load);
+  return X;
+}
+
+bool BoundaryCondition::is_self_contained() const {
+  if (rotation)
+    for (int d = 0; d < 3; ++d)
+      if (!prescribes(d) && std::abs(unit_axis()[static_cast<std::size_t>(d)]) != 1.0) return false;
+  if (!displacement_gradient) return true;
+  for (int c = 0; c < 3; ++c)
+    for (int d = 0; d < 3 && prescribes(c); ++d)
+      if (!prescribes(d) && (*displacement_gradient)[static_cast<std::size_t>(3 * c + d)] != 0.0)
+        return false;
+  return true;
+}
+
+bool BoundaryCondition::stays_in_plane() const {
+  const int normal = axis_of(*face);
+  if (normal < 0 || !prescribes(normal)) return false;
+  const auto n = static_cast<std::size_t>(normal);
+  if (displacement) return (*displacement)[n] == 0.0;
+  if (strain) return *strain == 0.0;
+  if (rotation) return *rotation == 0.0 || std::abs(unit_axis()[n]) == 1.0;
+  if (!displacement_gradient) return true;
+  for (std::size_t d = 0; d < 3; ++d)
+    if ((d != n || is_upper(*face)) && (*displacement_gradient)[3 * n + d] != 0.0) return false;
+  return true;
+}
+
+int BoundaryCondition::loaded_component(const std::array<double, 3>& length) const {
+  int loaded = -1;
+  if (rotation) return loaded;
+  double largest = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    if (!prescribes(c)) continue;
+    const double moved = std::abs(value(c, length, {0.0, 0.0, 0.0}, length));
+    if (moved > largest) {
+      largest = moved;
+      loaded = c;
+    }
+  }
+  return loaded;
+}
+
+bool agree(const ConditionAt& a, const ConditionAt& b, int component, const Vector& corner,
+           const Vector& length) {
+  const double negligible = 1e-12 * *std::max_element(length.begin(), length.end());
+  const auto differ = [&](double load) {
+    return std::abs(a.condition.value(component, a.X, corner, length, load) -
+                    b.condition.value(component, b.X, corner, length, load)) > negligible;
+  };
+  return !differ(1.0) && !differ(0.37);  // a full turn is no motion at full load
+}
+
+std::string conflict(const std::string& first, const std::string& second, int component,
+                     const std::array<double, 3>& x, double a, double b) {
+  return base::format(
+      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at "
+      "their common point (%g, %g, %g) um; admissible: equal values, or %c left out of the "
+      "Components of one of them",
+      first.c_str(), "xyz"[component], a,
+      second.empty() ? "plane strain" : ("\"" + second + "\"").c_str(), b, x[0], x[1], x[2],
+      "xyz"[component]);
+}
+
+std::string no_particle_near(const std::string& condition) {
+  return "Boundary Conditions|" + condition +
+         "|Face: there is no particle in the elements along this face; admissible: a face at which "
+         "the image has a label other than -1 (empty)";
+}
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What holds and moves the body's faces.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stroma::mechanics {
+
+enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper, all };
+
+/// Axis (0, 1, 2) of a face's normal, -1 for Face::all.
+int axis_of(Face face);
+/// Whether the face is the upper one of its axis.
+bool is_upper(Face face);
+
+/// How a condition reaches the grid: at the nodes of the face; by a grip, the particles that lie
+/// within one element of the face at load 0, which move as prescribed with all nodes they touch; or
+/// by a penalty, stiff springs on points of the face that ride beside the outermost particles.
+enum class ImposedBy { nodes, grip, penalty };
+
+/// One condition on the displacement of a face. At most one of the four values is given; without
+/// any, the components are held at zero.
+struct BoundaryCondition {
+  std::optional<Face> face;
+  std::string components;                                      ///< a selection of "xyz"
+  std::optional<std::array<double, 3>> displacement;           ///< [um], at full load
+  std::optional<double> strain;                                ///< along the outward normal [-]
+  std::optional<std::array<double, 9>> displacement_gradient;  ///< G, row by row [-]
+  std::optional<double> rotation;               ///< angle at full load, right-handed [deg]
+  std::optional<std::array<double, 3>> axis;    ///< of the rotation, of any length; else the normal
+  std::optional<std::array<double, 3>> center;  ///< on the axis [um]; else the body box's middle
+  std::optional<ImposedBy> imposed_by;          ///< else: nodes without grid reset, grip with it
+  /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
+  std::optional<double> penalty_factor;  ///< else 2e4
+
+  bool prescribes(int component) const {
+    return components.find("xyz"[component]) != std::string::npos;
+  }
+
+  /// Displacement component [um] of a point of the face at a load factor s: s times the given
+  /// displacement, or strain * length along the outward normal, or G (X - corner); or, about the
+  /// unit axis a, with r = X - center and the angle t = s * rotation,
+  ///
+  ///     u = sin t  a x r + (1 - cos t)  a x (a x r).
+  ///
+  /// \param component  0, 1, 2 for x, y, z
+  /// \param position   X [um]
+  /// \param corner     lowest corner of the body's box [um]
+  /// \param length     edges of the body's box [um]
+  /// \param load       the load factor
+  double value(int component, const std::array<double, 3>& position,
+               const std::array<double, 3>& corner, const std::array<double, 3>& length,
+               double load = 1.0) const;
+
+  /// Its derivative by the load factor at load 0 [um].
+  double rate(int component, const std::array<double, 3>& position,
+              const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
+  /// Whether value() is proportional to the load.
+  bool is_linear() const { return !rotation; }
+
+  /// The point X of the undeformed body [um] that the condition has carried to a position x [um] at
+  /// a load factor: x = X + load u(X). Components that it does not prescribe count as not moved.
+  std::array<double, 3> carried_from(const std::array<double, 3>& x, double load,
+                                     const std::array<double, 3>& corner,
+                                     const std::array<double, 3>& length) const;
+
+  /// Whether the prescribed displacement can be told from prescribed components alone, as
+  /// carried_from() must: with a Displacement Gradient, no prescribed row refers to a direction
+  /// that is free; with a Rotation, directions that are free lie along its axis.
+  bool is_self_contained() const;
+
+  /// Whether the face stays in its plane: its normal displacement is prescribed as zero everywhere.
+  bool stays_in_plane() const;
+
+  /// Component along which the face moves most at full load, -1 if it stays or turns.
+  int loaded_component(const std::array<double, 3>& length) const;
+
+ private:
+  std::array<double, 3> unit_axis() const;
+  /// X - center.
+  std::array<double, 3> arm(const std::array<double, 3>& position,
+                            const std::array<double, 3>& corner,
+                            const std::array<double, 3>& length) const;
+};
+
+using NamedConditions = std::vector<std::pair<std::string, BoundaryCondition>>;
+
+/// A condition at a point of the undeformed body [um].
+struct ConditionAt {
+  const BoundaryCondition& condition;
+  const std::array<double, 3>& X;
+};
+
+/// Whether two conditions want the same displacement component at all loads.
+///
+/// \param a, b       the conditions, each where it has the point
+/// \param component  0, 1, 2 for x, y, z
+/// \param corner     lowest corner of the body's box [um]
+/// \param length     edges of the body's box [um]
+bool agree(const ConditionAt& a, const ConditionAt& b, int component,
+           const std::array<double, 3>& corner, const std::array<double, 3>& length);
+
+/// What to tell the user when two conditions (or one, and plane strain: second = "") prescribe
+/// different displacements a and b [um] of one component at a point x [um].
+std::string conflict(const std::string& first, const std::string& second, int component,
+                     const std::array<double, 3>& x, double a, double b);
+/// What to tell the user when a condition's face has no particle near it.
+std::string no_particle_near(const std::string& condition);
+
+struct BoundaryConditionsParameters {
+  NamedConditions conditions;
+};
+
+}  // namespace stroma::mechanics

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Log.hpp"
+#include "stroma/mechanics/problem/GridParameters.hpp"
+
+namespace stroma::mechanics {
+
+Method method_of(const GridParameters& parameters, double largest_poisson_ratio) {
+  Method method;
+  method.reset = parameters.reset;
+  method.shape_functions = parameters.shape_functions;
+  method.particle_domain = parameters.particle_domain;
+  method.deformation_gradient = parameters.deformation_gradient;
+  method.stabilization = parameters.stabilization.value_or(parameters.reset ? 0.01 : 2e-5);
+  const bool needs_mean = shape::kind_of(parameters.shape_functions).locks &&
+                          largest_poisson_ratio > locking_poisson_ratio;
+  const bool knows_mean = parameters.deformation_gradient == DeformationGradient::incremental;
+  const bool is_mean = parameters.dilatation == DilatationChoice::automatic
+                           ? needs_mean && knows_mean
+                           : parameters.dilatation == DilatationChoice::element_mean;
+  method.dilatation = is_mean ? Dilatation::element_mean : Dilatation::pointwise;
+  return method;
+}
+
+std::string describe_dilatation(const GridParameters& parameters, double largest_poisson_ratio) {
+  const bool is_mean =
+      method_of(parameters, largest_poisson_ratio).dilatation == Dilatation::element_mean;
+  std::string text = is_mean ? "Element Mean" : "Pointwise";
+  if (parameters.dilatation == DilatationChoice::automatic)
+    text += base::format(" (Automatic, for Poisson ratios up to %.6g)", largest_poisson_ratio);
+  return text;
+}
+
+std::string locking_note(const GridParameters& parameters, double largest_poisson_ratio) {
+  if (!shape::kind_of(parameters.shape_functions).locks ||
+      largest_poisson_ratio < locking_poisson_ratio ||
+      method_of(parameters, largest_poisson_ratio).dilatation != Dilatation::pointwise)
+    return "";
+  const bool is_projected =
+      parameters.deformation_gradient == DeformationGradient::projected_displacement;
+  return base::format(
+             "Grid|Dilatation = Pointwise lets these shape functions lock at a Poisson ratio of "
+             "%.6g: the body is too stiff, the more so the nearer it is to 0.5; ",
+             largest_poisson_ratio) +
+         (is_projected ? "Deformation Gradient = Projected Displacement admits no other; "
+                         "\"Incremental\" with \"Element Mean\", or B-splines, cure it"
+                       : "\"Element Mean\", or B-splines, cure it");
+}
+
+}  // namespace stroma::mechanics

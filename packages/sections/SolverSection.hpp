@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The deck sections "Solver" and "Loading".
+
+#include "stroma/deck/Section.hpp"
+#include "stroma/solver/SolverParameters.hpp"
+
+namespace stroma::sections {
+
+deck::Section<solver::SolverParameters> solver_section();
+deck::Section<solver::LoadingParameters> loading_section();
+
+}  // namespace stroma::sections

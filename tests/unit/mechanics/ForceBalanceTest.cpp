@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// Forces are evaluated once at each displacement.
+
+#include <gtest/gtest.h>
+
+#include "stroma/mechanics/terms/Term.hpp"
+#include "support/Specimen.hpp"
+
+namespace stroma::mechanics {
+namespace {
+
+/// Counts how often it is asked for its force, which is none.
+class Counter : public Term {
+ public:
+  Counter(int& count, bool changes_with_load)
+      : count_(count), changes_with_load_(changes_with_load) {}
+  bool changes_with_load() const override { return changes_with_load_; }
+  TermForce force(const TrialState&, grid::Vector& force) const override {
+    ++count_;
+    force.putScalar(0.0);
+    return {};
+  }
+
+ private:
+  int& count_;
+  bool changes_with_load_;
+};
+
+TEST(ForceBalance, IsEvaluatedOnceAtEachDisplacementAndLoad) {
+  const auto world = base::Communicator::world();
+  test::Specimen specimen;
+  specimen.conditions = test::clamped(0.1);
+  int steady = 0, loaded = 0;
+  Problem problem = specimen.problem();
+  problem.terms = {[&](const Body&) { return std::make_unique<Counter>(steady, false); },
+                   [&](const Body&) { return std::make_unique<Counter>(loaded, true); }};
+  MomentumBalance balance(world, specimen.partition(world), specimen.particles(world), problem);
+  grid::Vector u(balance.owned_map()), r(balance.owned_map());
+  test::fill(balance.halo(), u,
+             [](const grid::Index3& node, int c) { return 0.01 * test::scatter(node, c); });
+
+  balance.residual(u, r);
+  EXPECT_EQ(steady, 1);
+  EXPECT_EQ(loaded, 1);
+  const double scale = balance.forces(u).scale;
+  balance.reactions(u);
+  balance.assemble_tangent(u);
+  EXPECT_EQ(steady, 1);
+  EXPECT_EQ(loaded, 1);
+
+  balance.set_load(0.5);
+  balance.residual(u, r);
+  EXPECT_EQ(steady, 1);
+  EXPECT_EQ(loaded, 2);
+  EXPECT_EQ(balance.forces(u).scale, scale);
+
+  // The last bit of one component on one rank makes another displacement, for all of them.
+  if (world.is_root()) {
+    const auto values = u.getLocalViewHost(Tpetra::Access::ReadWrite);
+    values(0, 0) *= 1.0 + std::numeric_limits<double>::epsilon();
+  }
+  balance.residual(u, r);
+  EXPECT_EQ(steady, 2);
+  EXPECT_EQ(loaded, 3);
+}
+
+}  // namespace
+}  // namespace stroma::mechanics
