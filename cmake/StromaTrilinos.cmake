@@ -27,10 +27,13 @@ message(STATUS "Trilinos ${Trilinos_VERSION} in ${Trilinos_DIR}")
 
 add_library(stroma_trilinos INTERFACE)
 add_library(stroma::trilinos ALIAS stroma_trilinos)
-if(TARGET Trilinos::all_selected_libs)
-  target_link_libraries(stroma_trilinos INTERFACE Trilinos::all_selected_libs)
-elseif(TARGET Trilinos::all_libs)
-  target_link_libraries(stroma_trilinos INTERFACE Trilinos::all_libs)
+if(TARGET Tpetra::all_libs)
+  # Package by package: Trilinos::all_selected_libs is what the first to look for Trilinos has selected.
+  foreach(package IN LISTS STROMA_TRILINOS_PACKAGES)
+    if(TARGET ${package}::all_libs)
+      target_link_libraries(stroma_trilinos INTERFACE ${package}::all_libs)
+    endif()
+  endforeach()
 else()
   target_include_directories(
     stroma_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})

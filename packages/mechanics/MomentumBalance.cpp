@@ -143,6 +143,25 @@ std::int64_t MomentumBalance::residual(const grid::Vector& u, grid::Vector& r) {
   return at_u.inverted;
 }
 
+/// Terms are differenced: exactly, to rounding, where their force is linear in the load.
+void MomentumBalance::load_derivative(const grid::Vector& u, grid::Vector& derivative) {
+  grid::Vector rate(owned_map()), force(owned_map());
+  supports_->rate(load_, rate);
+  tangent_times(u, rate, derivative);
+  const auto at_u = state(u);
+  constexpr double step = 1e-3;
+  for (const auto& term : terms_) {
+    if (!term->changes_with_load()) continue;
+    for (const double sign : {1.0, -1.0}) {
+      term->set_load(load_ + sign * step);
+      term->force(at_u, force);
+      derivative.update(sign / (2.0 * step), force, 1.0);
+    }
+    term->set_load(load_);
+  }
+  supports_->clear(derivative);
+}
+
 std::vector<std::array<double, 3>> MomentumBalance::reactions(const grid::Vector& u) {
   auto reactions = supports_->reactions(*forces(u).unbalanced);
   if (terms_.size() == 1) return reactions;  // stress alone, which acts for no condition

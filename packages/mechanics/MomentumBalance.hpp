@@ -86,6 +86,8 @@ class MomentumBalance {
   /// The residual r(u): the unbalanced force, and zero at prescribed components.
   /// \return ForceBalance::inverted
   std::int64_t residual(const grid::Vector& u, grid::Vector& r);
+  /// Derivative of the residual by the load factor, with prescribed components moving along [pN].
+  void load_derivative(const grid::Vector& u, grid::Vector& derivative);
   /// Force of each condition's support on the body [pN].
   std::vector<std::array<double, 3>> reactions(const grid::Vector& u);
   /// Energy that supports store because they pull [aJ] (Springs); 0 without any.

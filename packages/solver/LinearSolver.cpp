@@ -66,6 +66,7 @@ LinearResult LinearSolver::solve(const grid::MultiVector& b, grid::MultiVector& 
     nothing_to_do.converged = true;
     return nothing_to_do;
   }
+  if (tolerance == 0.0) tolerance = parameters_.linear_tolerance;
   tolerance = std::max(tolerance, forcing_);
   LinearResult result = run_belos(*preconditioner_, b, x, tolerance);
   if (!result.converged && !is_fresh_) {

@@ -31,7 +31,7 @@ class LinearSolver {
   /// Solves to come stop at this tolerance where it is looser than the one that is asked for.
   void set_forcing(double tolerance) { forcing_ = tolerance; }
 
-  /// Solves from x = 0 until ||residual|| <= tolerance * ||b||. Collective.
+  /// Solves from x = 0 until ||residual|| <= tolerance * ||b||; 0: the deck's. Collective.
   /// A preconditioner that turns out to be indefinite is replaced by Jacobi for the solve.
   /// \throws base::StepRejected when the tangent is indefinite
   LinearResult solve(const grid::MultiVector& b, grid::MultiVector& x, double tolerance);

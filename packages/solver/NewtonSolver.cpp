@@ -8,6 +8,7 @@
 #include <Thyra_TpetraThyraWrappers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "stroma/base/Error.hpp"
@@ -71,12 +72,10 @@ NewtonSolver::NewtonSolver(const SolverParameters& parameters, mechanics::Moment
 void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
   model_ = Teuchos::null;
   balance_ = &balance;
-  balance.choose_tangent(
-      takes_stencil(parameters_.preconditioner, balance.halo().partition().grid())
-          ? mechanics::TangentForm::stencil
-          : mechanics::TangentForm::compressed_rows);
+  choose_tangent(parameters_, balance);
   linear_solver_ = std::make_unique<LinearSolver>(parameters_, balance);
-  model_ = Teuchos::rcp(new ThyraModel(balance, thyra_factory(*linear_solver_)));
+  model_ = Teuchos::rcp(
+      new ThyraModel(balance, thyra_factory(*linear_solver_, OnIndefinite::reject_step)));
   reported_iterations_ = 0;
 }
 
@@ -107,6 +106,9 @@ void NewtonSolver::choose_forcing(double now) {
 double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->stiffness_contrast(); }
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
+  if (!balance_->supports().are_imposed(balance_->load(), u))
+    throw std::logic_error(
+        "the prescribed components of the displacement are not those of the balance's load");
   residual_history_.clear();
   bool only_rounding_is_left = false;
   mechanics::ForceBalance forces;

@@ -40,10 +40,11 @@ class NewtonSolver {
   /// far still counts.
   void attach(mechanics::MomentumBalance& balance);
 
-  /// Changes u, whose prescribed components are set, until ||residual|| <= tolerance * the largest
+  /// Changes u, whose prescribed components are those of the balance's load, until ||residual|| <= tolerance * the largest
   /// force scale (reactions, external force) of this and all earlier calls, or until nothing but
   /// rounding is left of it: that must be small against the forces, unless there are none (a body
   /// that moves without strain). Collective.
+  /// \throws std::logic_error when prescribed components are not those of the load
   /// \throws base::StepRejected when it does not converge, when rounding is as large as the forces,
   ///         or when particles are turned inside out; u then holds the last iterate
   NewtonResult solve(grid::Vector& u);

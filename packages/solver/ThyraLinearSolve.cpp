@@ -6,6 +6,8 @@
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
 
+#include "stroma/base/Error.hpp"
+
 namespace stroma::solver {
 namespace {
 
@@ -14,7 +16,8 @@ using Extract = Thyra::TpetraOperatorVectorExtraction<double, grid::LocalOrdinal
 
 class TangentWithSolve : public Thyra::LinearOpWithSolveBase<double> {
  public:
-  explicit TangentWithSolve(LinearSolver& solver) : solver_(&solver) {}
+  TangentWithSolve(LinearSolver& solver, OnIndefinite on_indefinite)
+      : solver_(&solver), on_indefinite_(on_indefinite) {}
 
   void set(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source) {
     source_ = source;
@@ -49,8 +52,12 @@ class TangentWithSolve : public Thyra::LinearOpWithSolveBase<double> {
       const Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const override {
     const auto rhs = Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b));
     const auto solution = Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x));
-    const LinearResult result = solver_->solve(*rhs, *solution, criteria->requestedTol);
+    const bool is_asked =
+        criteria != Teuchos::null &&
+        criteria->requestedTol != Thyra::SolveCriteria<double>::unspecifiedTolerance();
     Thyra::SolveStatus<double> status;
+    const LinearResult result =
+        answer(*rhs, *solution, is_asked ? criteria->requestedTol : 0.0, status.message);
     status.solveStatus =
         result.converged ? Thyra::SOLVE_STATUS_CONVERGED : Thyra::SOLVE_STATUS_UNCONVERGED;
     status.achievedTol = result.achieved;
@@ -60,18 +67,34 @@ class TangentWithSolve : public Thyra::LinearOpWithSolveBase<double> {
   }
 
  private:
+  LinearResult answer(const grid::MultiVector& rhs, grid::MultiVector& solution, double tolerance,
+                      std::string& message) const {
+    try {
+      return solver_->solve(rhs, solution, tolerance);
+    } catch (const base::StepRejected& rejected) {
+      if (on_indefinite_ == OnIndefinite::reject_step) throw;
+      solution.putScalar(0.0);
+      message = rejected.what();
+      LinearResult none;
+      none.achieved = 1.0;
+      return none;
+    }
+  }
+
   LinearSolver* solver_;
+  OnIndefinite on_indefinite_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
   Teuchos::RCP<const Thyra::LinearOpBase<double>> tangent_;
 };
 
 class Factory : public Thyra::LinearOpWithSolveFactoryBase<double> {
  public:
-  explicit Factory(LinearSolver& solver) : solver_(&solver) {}
+  Factory(LinearSolver& solver, OnIndefinite on_indefinite)
+      : solver_(&solver), on_indefinite_(on_indefinite) {}
 
   bool isCompatible(const Thyra::LinearOpSourceBase<double>&) const override { return true; }
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> createOp() const override {
-    return Teuchos::rcp(new TangentWithSolve(*solver_));
+    return Teuchos::rcp(new TangentWithSolve(*solver_, on_indefinite_));
   }
   void initializeOp(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
                     Thyra::LinearOpWithSolveBase<double>* op,
@@ -102,13 +125,15 @@ class Factory : public Thyra::LinearOpWithSolveFactoryBase<double> {
 
  private:
   LinearSolver* solver_;
+  OnIndefinite on_indefinite_;
   Teuchos::RCP<Teuchos::ParameterList> list_;
 };
 
 }  // namespace
 
-Teuchos::RCP<Thyra::LinearOpWithSolveFactoryBase<double>> thyra_factory(LinearSolver& solver) {
-  return Teuchos::rcp(new Factory(solver));
+Teuchos::RCP<Thyra::LinearOpWithSolveFactoryBase<double>> thyra_factory(
+    LinearSolver& solver, OnIndefinite on_indefinite) {
+  return Teuchos::rcp(new Factory(solver, on_indefinite));
 }
 
 }  // namespace stroma::solver

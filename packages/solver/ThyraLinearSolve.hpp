@@ -11,7 +11,14 @@
 
 namespace stroma::solver {
 
+/// What a solve does that meets an indefinite tangent.
+enum class OnIndefinite {
+  reject_step,    ///< throws base::StepRejected through its caller
+  not_converged,  ///< answers Thyra::SOLVE_STATUS_UNCONVERGED, x = 0, and says why
+};
+
 /// A Thyra factory of operators with solve() around one LinearSolver, which outlives it.
-Teuchos::RCP<Thyra::LinearOpWithSolveFactoryBase<double>> thyra_factory(LinearSolver& solver);
+Teuchos::RCP<Thyra::LinearOpWithSolveFactoryBase<double>> thyra_factory(
+    LinearSolver& solver, OnIndefinite on_indefinite = OnIndefinite::not_converged);
 
 }  // namespace stroma::solver

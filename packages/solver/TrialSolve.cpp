@@ -59,6 +59,7 @@ void solve_block(const SolverParameters& parameters) {
   NewtonSolver newton(parameters, balance);
   grid::Vector u(balance.owned_map());
   newton.predict(u, balance.supports().change(1.0, u));
+  balance.set_load(1.0);
   balance.supports().impose(1.0, u);
   newton.solve(u);
 }

@@ -159,9 +159,11 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
         if (by == conditions_) continue;
         held_owned_[n] = static_cast<std::uint8_t>(held_owned_[n] | 1u << c);
         const int unknown = static_cast<int>(3 * n) + c;
-        prescribed_.push_back(
-            {unknown, by, is_moved ? condition_of(by).rate(c, X_by, body.origin, length) : 0.0});
-        if (is_moved && !condition_of(by).is_linear()) turned_.push_back({unknown, by, X_by});
+        const bool turns = is_moved && !condition_of(by).is_linear();
+        prescribed_.push_back({unknown, by,
+                               is_moved ? condition_of(by).rate(c, X_by, body.origin, length) : 0.0,
+                               turns});
+        if (turns) turned_.push_back({unknown, by, X_by});
       }
     });
   });
@@ -179,7 +181,7 @@ void Supports::carry_idle_pieces(const SupportedBody& body, const BodyStatics& s
     for (int c = 0; c < 3; ++c)
       if (!(held_owned_[n] >> c & 1))
         prescribed_.push_back({static_cast<int>(3 * n) + c, carried,
-                               statics.translation(piece)[static_cast<std::size_t>(c)]});
+                               statics.translation(piece)[static_cast<std::size_t>(c)], false});
     held_owned_[n] = 7;
   }
 }
@@ -232,7 +234,7 @@ void Supports::hold_free_motions(const SupportedBody& body,
       rigid_holds_.push_back(hold);
       const std::int64_t n = hold.node - partition.first_node(communicator.rank());
       if (n < 0 || n >= owned.count()) continue;
-      prescribed_.push_back({static_cast<int>(3 * n) + hold.component, rigid_motion, 0.0});
+      prescribed_.push_back({static_cast<int>(3 * n) + hold.component, rigid_motion, 0.0, false});
     }
   }
 }
@@ -288,9 +290,10 @@ std::vector<std::string> Supports::notes() const {
   return notes;
 }
 
-void Supports::impose(double load, grid::Vector& u) const {
-  const auto values = u.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (const Prescribed& p : prescribed_) values(p.unknown, 0) = (load - base_load_) * p.rate;
+template <class Use>
+void Supports::for_each_value(double load, const Use& use) const {
+  for (const Prescribed& p : prescribed_)
+    if (!p.turns) use(p.unknown, (load - base_load_) * p.rate);
   const grid::Grid& body = problem_->body;
   const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
   for (const Turned& t : turned_) {
@@ -299,8 +302,41 @@ void Supports::impose(double load, grid::Vector& u) const {
     const auto at = [&](double s) {
       return condition.value(t.unknown % 3, t.X, body.origin, length, s);
     };
-    values(t.unknown, 0) = at(load) - at(base_load_);
+    use(t.unknown, at(load) - at(base_load_));
   }
+}
+
+void Supports::impose(double load, grid::Vector& u) const {
+  const auto values = u.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for_each_value(load, [&](int unknown, double value) { values(unknown, 0) = value; });
+}
+
+bool Supports::are_imposed(double load, const grid::Vector& u) const {
+  const auto values = u.getLocalViewHost(Tpetra::Access::ReadOnly);
+  bool differ = false;
+  for_each_value(
+      load, [&](int unknown, double value) { differ = differ || values(unknown, 0) != value; });
+  return !halo_->communicator().any(differ);
+}
+
+void Supports::excess(double load, const grid::Vector& u, double stiffness,
+                      grid::Vector& excess) const {
+  const auto values = u.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto excesses = excess.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for_each_value(load, [&](int unknown, double value) {
+    excesses(unknown, 0) = stiffness * (values(unknown, 0) - value);
+  });
+}
+
+void Supports::rate(double load, grid::Vector& rate) const {
+  rate.putScalar(0.0);
+  const auto values = rate.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (const Prescribed& p : prescribed_) values(p.unknown, 0) = p.rate;
+  const grid::Grid& body = problem_->body;
+  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+  for (const Turned& t : turned_)
+    values(t.unknown, 0) = problem_->conditions[static_cast<std::size_t>(t.condition)].second.rate(
+        t.unknown % 3, t.X, body.origin, length, load);
 }
 
 grid::Vector Supports::change(double load, const grid::Vector& u) const {

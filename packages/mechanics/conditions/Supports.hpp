@@ -65,6 +65,13 @@ class Supports {
   void impose(double load, grid::Vector& u) const;
   /// How much the prescribed components of u must change for a load factor; 0 at the others.
   grid::Vector change(double load, const grid::Vector& u) const;
+  /// Whether the prescribed components of u are what impose() makes them. Collective.
+  bool are_imposed(double load, const grid::Vector& u) const;
+  /// Sets the prescribed components of a vector to how much those of u exceed their values at a load
+  /// factor, times a stiffness [pN/um].
+  void excess(double load, const grid::Vector& u, double stiffness, grid::Vector& excess) const;
+  /// Derivative of the prescribed components by the load factor [um]; 0 at the others.
+  void rate(double load, grid::Vector& rate) const;
   /// Sets the prescribed components of a vector to zero.
   void clear(grid::Vector& v) const;
   /// Euclidean norm of the unbalanced force (internal minus external) at the prescribed components
@@ -89,10 +96,15 @@ class Supports {
   std::int64_t unknowns() const { return unknowns_; }
 
  private:
+  /// Calls use(unknown, value) for each prescribed component.
+  template <class Use>
+  void for_each_value(double load, const Use& use) const;
+
   struct Prescribed {
-    int unknown;    ///< 3 * owned node + component
-    int condition;  ///< index, or one of the reasons below
-    double rate;    ///< displacement per load factor, at load 0 [um]
+    int unknown;         ///< 3 * owned node + component
+    int condition;       ///< index, or one of the reasons below
+    double rate;         ///< displacement per load factor, at load 0 [um]
+    bool turns = false;  ///< its displacement is not proportional to the load
   };
   /// One whose displacement is not proportional to the load.
   struct Turned {

@@ -73,10 +73,13 @@ double BoundaryCondition::value(int component, const Vector& position, const Vec
 }
 
 double BoundaryCondition::rate(int component, const Vector& position, const Vector& corner,
-                               const Vector& length) const {
+                               const Vector& length, double load) const {
   if (is_linear()) return value(component, position, corner, length);
-  return *rotation * radians *
-         cross(unit_axis(), arm(position, corner, length))[static_cast<std::size_t>(component)];
+  Vector r = arm(position, corner, length);
+  const double angle = *rotation * radians;
+  const Vector moved = turned(unit_axis(), r, load * angle);
+  for (std::size_t d = 0; d < 3; ++d) r[d] += moved[d];
+  return angle * cross(unit_axis(), r)[static_cast<std::size_t>(component)];
 }
 
 std::array<double, 3> BoundaryCondition::carried_from(const Vector& x, double load,

@@ -59,9 +59,10 @@ struct BoundaryCondition {
                const std::array<double, 3>& corner, const std::array<double, 3>& length,
                double load = 1.0) const;
 
-  /// Its derivative by the load factor at load 0 [um].
+  /// Its derivative by the load factor [um].
   double rate(int component, const std::array<double, 3>& position,
-              const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
+              const std::array<double, 3>& corner, const std::array<double, 3>& length,
+              double load = 0.0) const;
   /// Whether value() is proportional to the load.
   bool is_linear() const { return !rotation; }
 

@@ -44,6 +44,7 @@ TEST(NewtonSolver, ConvergesQuadratically) {
   const auto balance = two_materials(0.4).balance(world());
   NewtonSolver newton(direct(), *balance);
   grid::Vector u(balance->owned_map()), change(balance->owned_map());
+  balance->set_load(1.0);
   balance->supports().impose(1.0, change);
   newton.predict(u, change);
   const NewtonResult result = newton.solve(u);
@@ -69,6 +70,7 @@ TEST(NewtonSolver, AdaptiveForcingSavesLinearIterationsOnly) {
     parameters.forcing = forcing;
     NewtonSolver newton(parameters, *balance);
     grid::Vector change(balance->owned_map());
+    balance->set_load(1.0);
     balance->supports().impose(1.0, change);
     newton.predict(u, change);
     return newton.solve(u);
@@ -99,6 +101,7 @@ TEST(NewtonSolver, FindsTheHomogeneousState) {
     test::fill(balance->halo(), u, [&](const grid::Index3& node, int c) {
       return test::linear_field(specimen.grid(), G, node, c) + 0.1 * test::scatter(node, c);
     });
+    balance->set_load(1.0);
     balance->supports().impose(1.0, u);
     newton.solve(u);
     test::for_each_unknown(balance->halo(), u, [&](const grid::Index3& node, int c, double value) {
@@ -117,6 +120,7 @@ TEST(NewtonSolver, RigidHoldsCarryNothingAndReactionsBalance) {
   ASSERT_EQ(balance->supports().rigid_holds().size(), 3u);
   NewtonSolver newton(direct(), *balance);
   grid::Vector u(balance->owned_map()), change(balance->owned_map());
+  balance->set_load(1.0);
   balance->supports().impose(1.0, change);
   newton.predict(u, change);
   newton.solve(u);
@@ -167,12 +171,14 @@ TEST(NewtonSolver, TooFewIterationsRejectTheStep) {
   parameters.newton_iterations = 1;
   NewtonSolver newton(parameters, *balance);
   grid::Vector u(balance->owned_map()), change(balance->owned_map());
+  balance->set_load(1.0);
   balance->supports().impose(1.0, change);
   newton.predict(u, change);
   EXPECT_THROW(newton.solve(u), base::StepRejected);
   // The same solver goes on with a smaller step.
   u.putScalar(0.0);
   change.putScalar(0.0);
+  balance->set_load(1e-4);
   balance->supports().impose(1e-4, change);
   newton.predict(u, change);
   EXPECT_NO_THROW(newton.solve(u));
@@ -182,6 +188,7 @@ TEST(NewtonSolver, AnImpossibleLoadIsRejectedOnAllRanks) {
   const auto balance = two_materials(-0.97).balance(world());
   NewtonSolver newton(direct(), *balance);
   grid::Vector u(balance->owned_map());
+  balance->set_load(1.0);
   balance->supports().impose(1.0, u);  // crushes the uppermost layer of elements
   EXPECT_THROW(newton.solve(u), base::StepRejected);
 }

@@ -31,6 +31,7 @@ Outcome solve(mechanics::MomentumBalance& balance, PreconditionerKind kind) {
   NewtonSolver newton(parameters, balance);
   Outcome outcome{grid::Vector(balance.owned_map()), {}};
   grid::Vector change(balance.owned_map());
+  balance.set_load(1.0);
   balance.supports().impose(1.0, change);
   newton.predict(outcome.u, change);
   outcome.result = newton.solve(outcome.u);
