@@ -106,9 +106,10 @@ void NewtonSolver::choose_forcing(double now) {
 double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->stiffness_contrast(); }
 
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
-  if (!balance_->supports().are_imposed(balance_->load(), u))
+  if (!balance_->supports().are_imposed(balance_->load(), u, 1e-9))
     throw std::logic_error(
         "the prescribed components of the displacement are not those of the balance's load");
+  balance_->supports().impose(balance_->load(), u);  // to the last bit
   residual_history_.clear();
   bool only_rounding_is_left = false;
   mechanics::ForceBalance forces;

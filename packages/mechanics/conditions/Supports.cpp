@@ -311,12 +311,15 @@ void Supports::impose(double load, grid::Vector& u) const {
   for_each_value(load, [&](int unknown, double value) { values(unknown, 0) = value; });
 }
 
-bool Supports::are_imposed(double load, const grid::Vector& u) const {
+bool Supports::are_imposed(double load, const grid::Vector& u, double share) const {
   const auto values = u.getLocalViewHost(Tpetra::Access::ReadOnly);
-  bool differ = false;
-  for_each_value(
-      load, [&](int unknown, double value) { differ = differ || values(unknown, 0) != value; });
-  return !halo_->communicator().any(differ);
+  double largest = 0.0, difference = 0.0;
+  for_each_value(load, [&](int unknown, double value) {
+    largest = std::max(largest, std::abs(value));
+    difference = std::max(difference, std::abs(values(unknown, 0) - value));
+  });
+  largest = halo_->communicator().max(largest);
+  return halo_->communicator().max(difference) <= share * largest;
 }
 
 void Supports::excess(double load, const grid::Vector& u, double stiffness,

@@ -65,8 +65,9 @@ class Supports {
   void impose(double load, grid::Vector& u) const;
   /// How much the prescribed components of u must change for a load factor; 0 at the others.
   grid::Vector change(double load, const grid::Vector& u) const;
-  /// Whether the prescribed components of u are what impose() makes them. Collective.
-  bool are_imposed(double load, const grid::Vector& u) const;
+  /// Whether the prescribed components of u are what impose() makes them, to a share of the largest
+  /// of them; 0: to the last bit. Collective.
+  bool are_imposed(double load, const grid::Vector& u, double share = 0.0) const;
   /// Sets the prescribed components of a vector to how much those of u exceed their values at a load
   /// factor, times a stiffness [pN/um].
   void excess(double load, const grid::Vector& u, double stiffness, grid::Vector& excess) const;
