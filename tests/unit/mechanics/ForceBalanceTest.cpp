@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// Forces are evaluated once at each displacement.
+/// Forces are evaluated once at each displacement. Claim V-TERM-2, docs/verification.md.
 
 #include <gtest/gtest.h>
 

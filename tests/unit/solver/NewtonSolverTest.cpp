@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// Newton's method: its order, its answers, and its refusals. Claims V-NEW-1 to V-NEW-4,
-/// docs/verification.md.
+/// Newton's method: its order, its answers, and its refusals. Claims V-NEW-1 to V-NEW-4 and
+/// V-TERM-2, docs/verification.md.
 
 #include <gtest/gtest.h>
 

@@ -65,13 +65,13 @@ void step(mechanics::MovingBody& body, solver::NewtonSolver& newton, double load
 }
 
 void expect_shear_stress(const mechanics::MovingBody& body, double expected) {
-  const auto fields = body.balance().particle_fields(body.displacement());
-  for (int p = 0; p < body.balance().particles().count(); ++p)
+  const auto fields = body.balance().body().particle_fields(body.displacement());
+  for (int p = 0; p < body.balance().body().particles().count(); ++p)
     EXPECT_NEAR(fields.stress(p, 3), expected, 1e-10 * expected);
 }
 
 void expect_history(const mechanics::MovingBody& body, double expected) {
-  const auto& particles = body.balance().particles();
+  const auto& particles = body.balance().body().particles();
   ASSERT_EQ(particles.history.extent(0), static_cast<std::size_t>(particles.count()));
   for (int p = 0; p < particles.count(); ++p)
     EXPECT_NEAR(particles.history(p, 0), expected, 1e-10 * borne(1.0));
@@ -112,7 +112,7 @@ TEST(History, ChangesWithAcceptedStepsOnly) {
     expect_history(body, borne(0.5 * g));
     std::map<std::int64_t, double> before;
     const auto remember = [&](const auto& visit) {
-      const auto& particles = body.balance().particles();
+      const auto& particles = body.balance().body().particles();
       for (int p = 0; p < particles.count(); ++p) visit(particles.id(p), particles.history(p, 0));
     };
     remember([&](std::int64_t id, double value) { before[id] = value; });

@@ -2,7 +2,7 @@
 
 /// \file
 /// A term of an application's own in the balance of momentum: a bar on an elastic bedding against
-/// the exact solution of its difference equation. Claim V-OWN-TERM, docs/verification.md.
+/// the exact solution of its difference equation. Claim V-TERM-1, docs/verification.md.
 
 #include <gtest/gtest.h>
 

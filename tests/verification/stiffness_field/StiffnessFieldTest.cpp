@@ -80,7 +80,7 @@ std::vector<double> answers(const mechanics::MomentumBalance& balance) {
     test::for_each_unknown(balance.halo(), *vector,
                            [&](const grid::Index3&, int, double value) { all.push_back(value); });
   const auto fields = balance.particle_fields(u);
-  for (int p = 0; p < balance.particles().count(); ++p) {
+  for (int p = 0; p < balance.body().particles().count(); ++p) {
     for (int c = 0; c < 6; ++c) all.push_back(fields.stress(p, c));
     all.push_back(fields.energy(p));
   }
@@ -101,7 +101,7 @@ TEST(StiffnessField, IsTwoMaterials) {
                          neo_hookean = material::NeoHookean{soft, 2430.4,
                                                             material::VolumetricEnergy::quadratic};
   for (const test::ShapeChoice& choice : test::shape_choices())
-    for (const auto dilatation : {grid::Dilatation::pointwise, grid::Dilatation::element_mean}) {
+    for (const auto dilatation : {mechanics::Dilatation::pointwise, mechanics::Dilatation::element_mean}) {
       SCOPED_TRACE(choice.name);
       test::Specimen specimen = bars();
       choice.apply_to(specimen);
@@ -138,7 +138,7 @@ TEST(StiffnessField, MovesWithItsParticles) {
       for (const auto& reaction : test::reactions(body, u))
         forces.insert(forces.end(), reaction.begin(), reaction.end());
     });
-    const auto& particles = body.balance().particles();
+    const auto& particles = body.balance().body().particles();
     for (int p = 0; p < particles.count(); ++p)
       if (particles.shear_modulus.extent(0) > 0) {
         EXPECT_TRUE(particles.shear_modulus(p) == soft || particles.shear_modulus(p) == stiff);

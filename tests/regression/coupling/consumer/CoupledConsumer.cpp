@@ -40,7 +40,7 @@ using Extract = Thyra::TpetraOperatorVectorExtraction<double, grid::LocalOrdinal
 using Teuchos::RCP;
 
 constexpr double machine = 2.0 * consumer::expected_force;  // k [pN]
-constexpr double driven_to = 4.0;                            // a strain of 40 %, but for the spring
+constexpr double driven_to = 4.0;                           // a strain of 40 %, but for the spring
 
 RCP<const Vector> part(const Vector& x, int block) {
   return dynamic_cast<const Thyra::ProductVectorBase<double>&>(x).getVectorBlock(block);
