@@ -101,7 +101,8 @@ TEST(StiffnessField, IsTwoMaterials) {
                          neo_hookean = material::NeoHookean{soft, 2430.4,
                                                             material::VolumetricEnergy::quadratic};
   for (const test::ShapeChoice& choice : test::shape_choices())
-    for (const auto dilatation : {mechanics::Dilatation::pointwise, mechanics::Dilatation::element_mean}) {
+    for (const auto dilatation :
+         {mechanics::Dilatation::pointwise, mechanics::Dilatation::element_mean}) {
       SCOPED_TRACE(choice.name);
       test::Specimen specimen = bars();
       choice.apply_to(specimen);
