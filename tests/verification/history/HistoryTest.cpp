@@ -145,7 +145,7 @@ TEST(History, IsThatOfTheHatsUnderWiderFunctions) {
   double largest = 0.0;
   const mechanics::MomentumBalance* both[2] = {&body.balance(), hats.get()};
   for (int b = 0; b < 2; ++b) {
-    const auto& particles = both[b]->particles();
+    const auto& particles = both[b]->body().particles();
     for (int p = 0; p < particles.count(); ++p) {
       const double history = particles.history(p, 0);
       const auto id = static_cast<double>(particles.id(p));

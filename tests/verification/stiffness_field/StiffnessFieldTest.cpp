@@ -79,7 +79,7 @@ std::vector<double> answers(const mechanics::MomentumBalance& balance) {
   for (const grid::Vector* vector : {&force, &product})
     test::for_each_unknown(balance.halo(), *vector,
                            [&](const grid::Index3&, int, double value) { all.push_back(value); });
-  const auto fields = balance.particle_fields(u);
+  const auto fields = balance.body().particle_fields(u);
   for (int p = 0; p < balance.body().particles().count(); ++p) {
     for (int c = 0; c < 6; ++c) all.push_back(fields.stress(p, c));
     all.push_back(fields.energy(p));
