@@ -32,9 +32,9 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
 
 /// A field whose values follow from the voxels that the particles lie in.
 struct SeededField {
-  using Field = Kokkos::View<double*, grid::Device>;
+  using Member = Kokkos::View<double*, grid::Device>(Particles<grid::Device>::*);
 
-  Field Particles<grid::Device>::*field;
+  Member field;  ///< such as &Particles<grid::Device>::shear_modulus
   const image::IntensityVolume* intensities;
   std::function<double(int material, double intensity)> value;
 };

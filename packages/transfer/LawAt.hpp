@@ -11,6 +11,7 @@
 namespace stroma::transfer {
 
 /// \param law        (material)
+/// \param particles  of the rank
 /// \param material   of the point
 /// \param p          the particle whose stiffness it has: itself, or of a fictitious point the one
 ///                   whose material it takes
