@@ -76,6 +76,8 @@ struct Grid {
   /// Nodes along d beyond one per element; in plane strain there is one node along z.
   int beyond(int d) const { return flat && d == 2 ? 0 : width - 1; }
   double length(int d) const { return static_cast<double>(elements[d]) * spacing[d]; }
+  /// Of all axes [um].
+  std::array<double, 3> lengths() const { return {length(0), length(1), length(2)}; }
   std::array<double, 3> node_position(const Index3& node) const {
     std::array<double, 3> x;
     for (int d = 0; d < 3; ++d) x[d] = origin[d] + node_place(d, node[d]) * spacing[d];

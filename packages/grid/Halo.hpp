@@ -30,7 +30,7 @@ class Halo {
   const base::Communicator& communicator() const { return communicator_; }
 
   /// Values at the touched nodes, taken from their owners. Collective. The view stays valid until
-  /// the next call of a member function.
+  /// the next call.
   ConstNodeView gather(const Vector& owned) const;
 
   /// Space for contributions at the touched nodes, zeroed; hand it back with sum_to_owner().

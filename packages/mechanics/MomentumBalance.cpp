@@ -11,7 +11,6 @@
 #include "stroma/mechanics/terms/DeadForces.hpp"
 #include "stroma/mechanics/terms/ElasticForce.hpp"
 #include "stroma/mechanics/terms/Springs.hpp"
-#include "stroma/particles/Migration.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -71,10 +70,8 @@ void MomentumBalance::find_supports(bool is_refused_if_loose) {
   for (const auto& term : terms_)
     if (const auto load = term->dead_load(); load != Teuchos::null) others.loads.push_back(load);
   if (body_.particles().base_gradient.extent(0) != 0) {
-    const auto at_rest = Teuchos::rcp(new grid::Vector(owned_map()));
-    add_steady_forces(state(*at_rest));
-    forces_at_ = at_rest;
-    forces_load_ = std::numeric_limits<double>::quiet_NaN();
+    const grid::Vector at_rest(owned_map());
+    find_steady_forces(state(at_rest));
     others.stress = steady_;
   }
   supports_ = mechanics::find_supports(body_, others, base_load_, is_refused_if_loose);
@@ -85,54 +82,52 @@ void MomentumBalance::set_load(double load) {
   for (const auto& term : terms_) term->set_load(load);
 }
 
-/// Evaluates the terms that do not change with the load.
-void MomentumBalance::add_steady_forces(const TrialState& state) {
-  if (steady_ == Teuchos::null) steady_ = Teuchos::rcp(new grid::Vector(owned_map()));
-  of_steady_ = {};
-  bool is_first = true;
-  for (const auto& term : terms_) {
-    if (term->changes_with_load()) continue;
-    grid::RCP<grid::Vector> more = is_first ? steady_ : Teuchos::rcp(new grid::Vector(owned_map()));
-    const TermForce force = term->force(state, *more);
-    if (!is_first) steady_->update(1.0, *more, 1.0);
-    of_steady_.inverted += force.inverted;
-    of_steady_.size = std::max(of_steady_.size, force.size);
-    is_first = false;
-  }
-  of_steady_.inverted = body_.communicator().sum(of_steady_.inverted);
+void MomentumBalance::forget_forces() {
+  forces_at_ = steady_ = Teuchos::null;
+  forces_load_.reset();
+  forces_ = {};
 }
 
 bool MomentumBalance::has_forces_at(const grid::Vector& u) const {
   return forces_at_ != Teuchos::null && !body_.communicator().any(!are_same(u, *forces_at_));
 }
 
+/// Adds to a force (null: none yet) and to what is said of it.
+grid::RCP<grid::Vector> MomentumBalance::with_terms(bool changing, const TrialState& state,
+                                                    grid::RCP<grid::Vector> sum,
+                                                    TermForce& all) const {
+  for (const auto& term : terms_) {
+    if (term->changes_with_load() != changing) continue;
+    const auto force = Teuchos::rcp(new grid::Vector(owned_map()));
+    const TermForce one = term->force(state, *force);
+    all.inverted += one.inverted;
+    all.size = std::max(all.size, one.size);
+    if (sum != Teuchos::null) force->update(1.0, *sum, 1.0);
+    sum = force;
+  }
+  return sum;
+}
+
+void MomentumBalance::find_steady_forces(const TrialState& state) {
+  forget_forces();
+  of_steady_ = {};
+  steady_ = with_terms(false, state, Teuchos::null, of_steady_);
+  forces_at_ = Teuchos::rcp(new grid::Vector(state.u, Teuchos::Copy));
+}
+
 const ForceBalance& MomentumBalance::forces(const grid::Vector& u) {
   const bool is_here = has_forces_at(u);
   if (is_here && forces_load_ == load_) return forces_;
   const auto at_u = state(u);
-  if (!is_here) {
-    add_steady_forces(at_u);
-    if (forces_at_ == Teuchos::null || forces_at_.strong_count() > 1)
-      forces_at_ = Teuchos::rcp(new grid::Vector(owned_map()));
-    forces_at_->assign(u);
-  }
-  forces_load_ = load_;
-
-  grid::RCP<grid::Vector> unbalanced = steady_;
-  double size = of_steady_.size;
-  for (const auto& term : terms_) {
-    if (!term->changes_with_load()) continue;
-    const auto sum = Teuchos::rcp(new grid::Vector(owned_map()));
-    const TermForce force = term->force(at_u, *sum);
-    sum->update(1.0, *unbalanced, 1.0);
-    unbalanced = sum;
-    size = std::max(size, force.size);
-  }
+  if (!is_here) find_steady_forces(at_u);
+  TermForce all = of_steady_;
+  const auto unbalanced = with_terms(true, at_u, steady_, all);
   forces_.unbalanced = unbalanced;
-  forces_.scale = std::max(supports_->reaction_norm(*unbalanced), size);
+  forces_.scale = std::max(supports_->reaction_norm(*unbalanced), all.size);
   forces_.hold = supports_->hold_norm(*unbalanced);
   forces_.rounding = 16.0 * std::numeric_limits<double>::epsilon() * stiffest_diagonal_ * u.norm2();
-  forces_.inverted = of_steady_.inverted;
+  forces_.inverted = body_.communicator().sum(all.inverted);
+  forces_load_ = load_;
   return forces_;
 }
 
@@ -232,15 +227,10 @@ std::int64_t MomentumBalance::assemble_tangent(const grid::Vector& u) {
 std::unique_ptr<MomentumBalance> MomentumBalance::with_hats(const grid::Partition& lattice) const {
   Problem problem = body_.problem();
   problem.method.shape_functions = shape::ShapeFunctions::linear;
-  const bool has_other_elements = halo().partition().grid().centered;
   auto hats = std::make_unique<MomentumBalance>(
-      body_.communicator(), lattice,
-      has_other_elements ? particles::migrate(body_.communicator(), lattice, body_.particles())
-                         : body_.particles(),
-      problem, base_load_, false);
+      body_.communicator(), lattice, body_.particles_on(lattice), problem, base_load_, false);
   for (const auto& term : hats->terms_) term->lump();
   hats->forget_forces();
-  hats->steady_ = Teuchos::null;
   return hats;
 }
 
@@ -258,9 +248,11 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
 }
 
 void MomentumBalance::accept(const grid::Vector& u) {
+  const auto remembers = [](const auto& term) { return term->remembers(); };
+  if (std::none_of(terms_.begin(), terms_.end(), remembers)) return;
   const auto at_u = state(u);
   for (const auto& term : terms_) term->accept(at_u);
-  if (body_.stress()->states() > 0) forget_forces();
+  forget_forces();
 }
 
 }  // namespace stroma::mechanics

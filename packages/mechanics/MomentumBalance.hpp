@@ -9,6 +9,7 @@
 #include <Teuchos_RCP.hpp>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "stroma/mechanics/body/Body.hpp"
@@ -122,14 +123,16 @@ class MomentumBalance {
   /// asked comes after it: histories may be written.
   void accept(const grid::Vector& u);
   /// The body's particles have another state than before: forces are to be evaluated anew.
-  void forget_forces() { forces_at_ = Teuchos::null; }
+  void forget_forces();
 
  private:
   using Terms = std::vector<std::unique_ptr<Term>>;
   TrialState state(const grid::Vector& u) const { return {u, body_.points(u)}; }
   Terms terms_of(const Problem& problem) const;
   bool has_forces_at(const grid::Vector& u) const;
-  void add_steady_forces(const TrialState& state);
+  grid::RCP<grid::Vector> with_terms(bool changing, const TrialState& state,
+                                     grid::RCP<grid::Vector> sum, TermForce& all) const;
+  void find_steady_forces(const TrialState& state);
   void find_supports(bool is_refused_if_loose);
 
   Body body_;
@@ -138,11 +141,11 @@ class MomentumBalance {
   double stiffest_diagonal_;  // [pN/um]
   std::unique_ptr<Supports> supports_;
 
-  // The last evaluation: where and at which load; the sum of the forces that do not change with the
-  // load; and all of them.
-  grid::RCP<grid::Vector> forces_at_;
-  double forces_load_ = 0.0;
+  // The last evaluation: where; the sum of the forces that do not change with the load; and at a
+  // load, if there was one, all of them.
+  grid::RCP<const grid::Vector> forces_at_;
   grid::RCP<grid::Vector> steady_;
+  std::optional<double> forces_load_;
   TermForce of_steady_;
   ForceBalance forces_;
 

@@ -16,6 +16,12 @@ bool takes_stencil(PreconditionerKind kind, const grid::Grid& grid) {
   return kind == PreconditionerKind::geometric_multigrid && grid.width == 2;
 }
 
+void choose_tangent(const SolverParameters& parameters, mechanics::MomentumBalance& balance) {
+  balance.choose_tangent(takes_stencil(parameters.preconditioner, balance.halo().partition().grid())
+                             ? mechanics::TangentForm::stencil
+                             : mechanics::TangentForm::compressed_rows);
+}
+
 std::unique_ptr<Preconditioner> make_preconditioner(const SolverParameters& parameters,
                                                     const mechanics::MomentumBalance& balance) {
   switch (parameters.preconditioner) {

@@ -112,9 +112,10 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   balance_->supports().impose(balance_->load(), u);  // to the last bit
   residual_history_.clear();
   bool only_rounding_is_left = false;
-  mechanics::ForceBalance forces;
+  double hold = 0.0;
   const auto is_good = [&](const NOX::Abstract::Group& group) {
-    forces = balance_->forces(*displacement_of(group));
+    const mechanics::ForceBalance& forces = balance_->forces(*displacement_of(group));
+    hold = forces.hold;
     if (std::isfinite(forces.scale)) largest_force_ = std::max(largest_force_, forces.scale);
     const double norm = group.getNormF();
     const double relative = norm == 0.0 ? 0.0 : norm / largest_force_;
@@ -153,7 +154,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   if (only_rounding_is_left) check_rounding(u);
   NewtonResult result;
   result.is_limited_by_rounding = only_rounding_is_left;
-  if (largest_force_ > 0.0) result.hold_share = forces.hold / largest_force_;
+  if (largest_force_ > 0.0) result.hold_share = hold / largest_force_;
   result.iterations = solver->getNumIterations();
   result.linear_iterations = linear_solver_->total_iterations() - reported_iterations_;
   reported_iterations_ = linear_solver_->total_iterations();

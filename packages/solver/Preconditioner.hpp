@@ -33,6 +33,8 @@ class Preconditioner {
 /// Whether the tangent is kept as a stencil, in single precision, for a preconditioner on a grid;
 /// else as compressed rows.
 bool takes_stencil(PreconditionerKind kind, const grid::Grid& grid);
+/// Stores the tangent of a balance as the preconditioner of the parameters takes it.
+void choose_tangent(const SolverParameters& parameters, mechanics::MomentumBalance& balance);
 
 /// The preconditioner that the deck chose. MueLu gets its rigid body modes from the grid of
 /// `balance`.

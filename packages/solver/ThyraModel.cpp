@@ -121,12 +121,6 @@ void ThyraModel::evalModelImpl(const Model::InArgs<double>& in,
   }
 }
 
-void choose_tangent(const SolverParameters& parameters, mechanics::MomentumBalance& balance) {
-  balance.choose_tangent(takes_stencil(parameters.preconditioner, balance.halo().partition().grid())
-                             ? mechanics::TangentForm::stencil
-                             : mechanics::TangentForm::compressed_rows);
-}
-
 Teuchos::RCP<ThyraModel> thyra_model(const SolverParameters& parameters,
                                      mechanics::MomentumBalance& balance) {
   choose_tangent(parameters, balance);

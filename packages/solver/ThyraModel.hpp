@@ -65,7 +65,4 @@ class ThyraModel : public Thyra::StateFuncModelEvaluatorBase<double> {
 Teuchos::RCP<ThyraModel> thyra_model(const SolverParameters& parameters,
                                      mechanics::MomentumBalance& balance);
 
-/// Stores the tangent as the preconditioner of the parameters takes it.
-void choose_tangent(const SolverParameters& parameters, mechanics::MomentumBalance& balance);
-
 }  // namespace stroma::solver

@@ -26,8 +26,6 @@ struct BoundaryPointSet {
   Kokkos::View<const BoundaryPoint*, Device> point;
   Kokkos::View<const int*, Device> element_begin;  ///< (elements + 1), as for particles
   bool lumped = false;  ///< the tangent is replaced by a diagonal one that is no softer
-
-  bool empty() const { return point.extent(0) == 0; }
 };
 
 /// How far a boundary point is from where the condition wants it, in the components that are

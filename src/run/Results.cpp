@@ -211,9 +211,7 @@ void Results::finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
   if (particles_step_ != rows_.back().step) write_particles(balance, u);
   if (grid_step_ != rows_.back().step) write_grid(balance, u);
-  const grid::Grid& grid = specimen_->body;
-  const auto moving =
-      moving_supports(deck_->parameters, {grid.length(0), grid.length(1), grid.length(2)});
+  const auto moving = moving_supports(deck_->parameters, specimen_->body.lengths());
   std::optional<base::Stage> stage("pictures");
   if (deck_->parameters.output.pictures) {
     std::vector<std::string> notes{

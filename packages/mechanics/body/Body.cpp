@@ -118,12 +118,14 @@ void Body::find_fictitious_points(double stabilization) {
   if (found > 0) fictitious_volume_ = volume;
 }
 
+particles::Particles<grid::Device> Body::particles_on(const grid::Partition& partition) const {
+  const bool is_own = partition.grid().centered == halo_.partition().grid().centered;
+  return is_own ? particles_ : particles::migrate(communicator(), partition, particles_);
+}
+
 Kokkos::View<std::uint8_t*, grid::Device> Body::filled_elements(
     const grid::Partition& partition) const {
-  const bool is_own = partition.grid().centered == halo_.partition().grid().centered;
-  const auto begin = is_own
-                         ? particles_.element_begin
-                         : particles::migrate(communicator(), partition, particles_).element_begin;
+  const auto begin = particles_on(partition).element_begin;
   const std::size_t count = begin.extent(0) - 1;
   Kokkos::View<std::uint8_t*, Device> filled("filled", count);
   Kokkos::parallel_for(
@@ -166,12 +168,7 @@ void Body::replace_displacement(const grid::Vector& old, const grid::Vector& now
 }
 
 void Body::take_history(const Body& other) {
-  if (stress_->states() == 0) return;
-  const bool has_other_elements = other.halo_.partition().grid().centered;
-  particles_.history =
-      has_other_elements
-          ? particles::migrate(communicator(), halo_.partition(), other.particles_).history
-          : other.particles_.history;
+  if (stress_->states() > 0) particles_.history = other.particles_on(halo_.partition()).history;
 }
 
 particles::Particles<grid::Device> Body::moved_particles(const grid::Vector& u) const {

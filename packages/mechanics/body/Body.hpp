@@ -58,9 +58,11 @@ class Body {
   /// About the size of an element's entries on the tangent's diagonal [pN/um].
   double typical_diagonal() const { return typical_diagonal_; }
 
-  /// The body's points with a displacement, good until the next gather or sum of the halo.
+  /// The body's points with a displacement, good until the halo gathers another vector.
   Points points(const grid::Vector& u) const;
 
+  /// The particles in the elements of a partition of the grid, or of the lattice under it.
+  particles::Particles<Device> particles_on(const grid::Partition& partition) const;
   /// (local element of a partition) whether the element holds a particle. The partition is that of
   /// the grid, or of the lattice under it.
   Kokkos::View<std::uint8_t*, Device> filled_elements(const grid::Partition& partition) const;

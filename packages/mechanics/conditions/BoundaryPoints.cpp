@@ -16,8 +16,6 @@ namespace {
 using transfer::BoundaryPoint;
 using Vector = std::array<double, 3>;
 
-Vector edges(const grid::Grid& body) { return {body.length(0), body.length(1), body.length(2)}; }
-
 template <class View>
 auto on_host(const View& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
@@ -39,7 +37,7 @@ class BoundaryPointMaker {
   explicit BoundaryPointMaker(const Problem& problem)
       : problem_(problem),
         body_(problem.body),
-        length_(edges(problem.body)),
+        length_(problem.body.lengths()),
         modulus_(problem.laws.stiffest_modulus()) {}
 
   /// Appends the points of a particle that lay at X in the undeformed body.
@@ -104,7 +102,7 @@ class BoundaryPointMaker {
 }  // namespace
 
 void BoundaryPoints::set_load(const Problem& problem, double load) {
-  const Vector length = edges(problem.body);
+  const Vector length = problem.body.lengths();
   const auto point = on_host(writable);
   for (std::size_t n = 0; n < X.size(); ++n) {
     const BoundaryCondition& condition =
@@ -122,8 +120,6 @@ BoundaryPoints boundary_points(const base::Communicator& communicator, const Pro
     return problem.imposed_by(named.second) == ImposedBy::penalty;
   };
   const auto& conditions = problem.conditions;
-  if (std::none_of(conditions.begin(), conditions.end(), is_penalty)) return {};
-
   const auto X = particles::undeformed_positions(particles);
   const auto volume = on_host(particles.volume);
   const auto of_element = on_host(particles.element_begin);
@@ -175,7 +171,7 @@ double stiffest_springs(const Problem& problem) {
 void visit_held_components(const BoundaryPoints& boundary, const Problem& problem,
                            const particles::Particles<grid::Device>& particles,
                            const Pieces& pieces, const HeldVisitor& visit) {
-  const Vector length = edges(problem.body);
+  const Vector length = problem.body.lengths();
   const auto point = on_host(boundary.points.point);
   const auto begin = on_host(boundary.points.element_begin);
   const auto x = on_host(particles.position);

@@ -112,7 +112,7 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
   const auto filled = host(supported.filled_around);
   std::vector<NodeCounts::HostMirror> in_grip;
   for (const NodeCounts& grip : supported.gripped) in_grip.push_back(host(grip));
-  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+  const std::array<double, 3> length = body.lengths();
 
   std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
   const auto name_of = [&](int m) { return conditions[static_cast<std::size_t>(m)].first; };
@@ -163,7 +163,7 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
         prescribed_.push_back({unknown, by,
                                is_moved ? condition_of(by).rate(c, X_by, body.origin, length) : 0.0,
                                turns});
-        if (turns) turned_.push_back({unknown, by, X_by});
+        if (turns) turned_.push_back({unknown, &condition_of(by), X_by});
       }
     });
   });
@@ -295,12 +295,10 @@ void Supports::for_each_value(double load, const Use& use) const {
   for (const Prescribed& p : prescribed_)
     if (!p.turns) use(p.unknown, (load - base_load_) * p.rate);
   const grid::Grid& body = problem_->body;
-  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+  const std::array<double, 3> length = body.lengths();
   for (const Turned& t : turned_) {
-    const BoundaryCondition& condition =
-        problem_->conditions[static_cast<std::size_t>(t.condition)].second;
     const auto at = [&](double s) {
-      return condition.value(t.unknown % 3, t.X, body.origin, length, s);
+      return t.condition->value(t.unknown % 3, t.X, body.origin, length, s);
     };
     use(t.unknown, at(load) - at(base_load_));
   }
@@ -336,10 +334,9 @@ void Supports::rate(double load, grid::Vector& rate) const {
   const auto values = rate.getLocalViewHost(Tpetra::Access::ReadWrite);
   for (const Prescribed& p : prescribed_) values(p.unknown, 0) = p.rate;
   const grid::Grid& body = problem_->body;
-  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+  const std::array<double, 3> length = body.lengths();
   for (const Turned& t : turned_)
-    values(t.unknown, 0) = problem_->conditions[static_cast<std::size_t>(t.condition)].second.rate(
-        t.unknown % 3, t.X, body.origin, length, load);
+    values(t.unknown, 0) = t.condition->rate(t.unknown % 3, t.X, body.origin, length, load);
 }
 
 grid::Vector Supports::change(double load, const grid::Vector& u) const {

@@ -109,7 +109,8 @@ class Supports {
   };
   /// One whose displacement is not proportional to the load.
   struct Turned {
-    int unknown, condition;
+    int unknown;
+    const BoundaryCondition* condition;
     std::array<double, 3> X;  ///< where the condition has the node in the undeformed body [um]
   };
   enum Reason { plane_strain = -1, untouched = -2, rigid_motion = -3, carried = -4 };

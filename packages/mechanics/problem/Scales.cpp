@@ -47,7 +47,7 @@ void check_single(const std::string& where, const std::string& of_what, double l
 
 /// Displacements that a condition prescribes at the corners of the body.
 Range displacements(const BoundaryCondition& condition, const grid::Grid& body) {
-  const std::array<double, 3> length{body.length(0), body.length(1), body.length(2)};
+  const std::array<double, 3> length = body.lengths();
   Range range;
   for (int corner = 0; corner < 8; ++corner) {
     std::array<double, 3> X = body.origin;

@@ -33,8 +33,6 @@ void ElasticForce::add_tangent_times(const TrialState& state, const ConstNodeVie
   kernels_->tangent_times(state.points, direction, product);
 }
 
-void ElasticForce::accept(const TrialState& state) {
-  if (kernels_->states() > 0) kernels_->update_history(state.points);
-}
+void ElasticForce::accept(const TrialState& state) { kernels_->update_history(state.points); }
 
 }  // namespace stroma::mechanics

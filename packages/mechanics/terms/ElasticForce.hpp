@@ -29,6 +29,7 @@ class ElasticForce : public Term {
                            const transfer::StencilRows<Device>& rows) const override;
   void add_tangent_times(const TrialState& state, const ConstNodeView& direction,
                          const NodeView& product) const override;
+  bool remembers() const override { return kernels_->states() > 0; }
   /// Lets the laws remember the displacement (transfer::UpdateHistory): from now on, what is asked of
   /// them is asked for one that comes after it.
   void accept(const TrialState& state) override;

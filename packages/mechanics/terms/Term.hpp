@@ -82,6 +82,8 @@ class Term {
   /// Energy that the supports of the term store because they pull [aJ].
   virtual double support_energy(const TrialState&) const { return 0.0; }
 
+  /// Whether it has a history, on which its force depends; else it is not told of accepted steps.
+  virtual bool remembers() const { return false; }
   /// The displacement is that of an accepted step, and the next one begins: histories may be written.
   /// Until then the accepted forces rest on the histories before.
   virtual void accept(const TrialState&) {}

@@ -5,28 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "stroma/mechanics/terms/Term.hpp"
+#include <limits>
+
+#include "support/CountingTerm.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::mechanics {
 namespace {
-
-/// Counts how often it is asked for its force, which is none.
-class Counter : public Term {
- public:
-  Counter(int& count, bool changes_with_load)
-      : count_(count), changes_with_load_(changes_with_load) {}
-  bool changes_with_load() const override { return changes_with_load_; }
-  TermForce force(const TrialState&, grid::Vector& force) const override {
-    ++count_;
-    force.putScalar(0.0);
-    return {};
-  }
-
- private:
-  int& count_;
-  bool changes_with_load_;
-};
 
 TEST(ForceBalance, IsEvaluatedOnceAtEachDisplacementAndLoad) {
   const auto world = base::Communicator::world();
@@ -34,8 +19,8 @@ TEST(ForceBalance, IsEvaluatedOnceAtEachDisplacementAndLoad) {
   specimen.conditions = test::clamped(0.1);
   int steady = 0, loaded = 0;
   Problem problem = specimen.problem();
-  problem.terms = {[&](const Body&) { return std::make_unique<Counter>(steady, false); },
-                   [&](const Body&) { return std::make_unique<Counter>(loaded, true); }};
+  problem.terms = {[&](const Body&) { return std::make_unique<test::CountingTerm>(steady, false); },
+                   [&](const Body&) { return std::make_unique<test::CountingTerm>(loaded, true); }};
   MomentumBalance balance(world, specimen.partition(world), specimen.particles(world), problem);
   grid::Vector u(balance.owned_map()), r(balance.owned_map());
   test::fill(balance.halo(), u,

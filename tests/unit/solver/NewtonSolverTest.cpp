@@ -12,6 +12,7 @@
 #include "stroma/mechanics/MovingBody.hpp"
 #include "stroma/solver/LoadStep.hpp"
 #include "stroma/solver/NewtonSolver.hpp"
+#include "support/CountingTerm.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma::solver {
@@ -196,24 +197,12 @@ TEST(NewtonSolver, AnImpossibleLoadIsRejectedOnAllRanks) {
 // What a step costs: one evaluation of the forces more than it has Newton iterations. The first
 // prediction starts from the forces that the unloaded body's reactions were taken from.
 TEST(NewtonSolver, EvaluatesForcesOnceMoreThanItIterates) {
-  class Counter : public mechanics::Term {
-   public:
-    explicit Counter(int& count) : count_(count) {}
-    bool changes_with_load() const override { return false; }
-    mechanics::TermForce force(const mechanics::TrialState&, grid::Vector& force) const override {
-      ++count_;
-      force.putScalar(0.0);
-      return {};
-    }
-
-   private:
-    int& count_;
-  };
   test::Specimen specimen;
   specimen.conditions = test::clamped(0.1);
   int evaluations = 0;
   mechanics::Problem problem = specimen.problem();
-  problem.terms = {[&](const mechanics::Body&) { return std::make_unique<Counter>(evaluations); }};
+  problem.terms = {
+      [&](const mechanics::Body&) { return std::make_unique<test::CountingTerm>(evaluations); }};
   const auto world = base::Communicator::world();
   mechanics::MovingBody body(world, specimen.partition(world), specimen.particles(world), problem);
   NewtonSolver newton(SolverParameters{}, body.balance());
