@@ -3,8 +3,7 @@
 #pragma once
 
 /// \file
-/// What the deck's section "Image" says: where the specimen comes from and how it is segmented. The
-/// section itself is declared in ImageSection.cpp.
+/// Where the specimen comes from and how it is segmented.
 
 #include <array>
 #include <optional>

@@ -32,10 +32,10 @@ void override_voxel_size(const ImageParameters& parameters, ImageSummary& summar
 }
 
 /// The deck's region, or all of an image of this size.
-Box region_of(const ImageParameters& parameters, const std::string& path,
-              const std::array<std::int64_t, 3>& size) {
+voxels::Box region_of(const ImageParameters& parameters, const std::string& path,
+                      const std::array<std::int64_t, 3>& size) {
   if (!parameters.region) return {{0, 0, 0}, size};
-  Box region;
+  voxels::Box region;
   const std::array<int, 6>& r = *parameters.region;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     region.first[axis] = r[axis];
@@ -54,11 +54,11 @@ Box region_of(const ImageParameters& parameters, const std::string& path,
 }
 
 /// Rank 0 reads plane after plane and sends each to the rank that holds it.
-void read_on_root(const base::Communicator& communicator, ImageSource& source, const Box& region,
-                  IntensityVolume& volume) {
+void read_on_root(const base::Communicator& communicator, ImageSource& source,
+                  const voxels::Box& region, voxels::IntensityVolume& volume) {
   constexpr int tag = 4712;
-  const Slabs slabs(volume.size[2], communicator.size());
-  Box plane = region;
+  const voxels::Slabs slabs(volume.size[2], communicator.size());
+  voxels::Box plane = region;
   plane.count[2] = 1;
   // The file is read as a whole before anything is sent, so that a broken one leaves nobody
   // waiting.
@@ -86,19 +86,19 @@ void read_on_root(const base::Communicator& communicator, ImageSource& source, c
 }
 
 /// The part of a volume within a region, dealt to the ranks anew.
-LabelVolume cut(const base::Communicator& communicator, const LabelVolume& whole,
-                const Box& region) {
-  LabelVolume part(communicator, region.count, whole.voxel_size);
-  Box mine = region;
+voxels::LabelVolume cut(const base::Communicator& communicator, const voxels::LabelVolume& whole,
+                        const voxels::Box& region) {
+  voxels::LabelVolume part(communicator, region.count, whole.voxel_size);
+  voxels::Box mine = region;
   mine.first[2] += part.first_plane;
   mine.count[2] = part.planes;
-  part.values = extract(communicator, whole, mine);
+  part.values = voxels::extract(communicator, whole, mine);
   return part;
 }
 
-LabelVolume phantom_labels(const base::Communicator& communicator,
-                           const ImageParameters& parameters, ImageSummary& summary,
-                           const BeforeReading& before_reading) {
+voxels::LabelVolume phantom_labels(const base::Communicator& communicator,
+                                   const ImageParameters& parameters, ImageSummary& summary,
+                                   const BeforeReading& before_reading) {
   const PhantomParameters& phantom = *parameters.phantom;
   summary.path = "phantom";
   summary.format = "phantom";
@@ -107,18 +107,18 @@ LabelVolume phantom_labels(const base::Communicator& communicator,
     summary.file_size[axis] = phantom.size[axis];
     summary.voxel_size.set(static_cast<int>(axis), phantom.voxel_size[axis], "deck");
   }
-  const Box region = region_of(parameters, summary.path, summary.file_size);
+  const voxels::Box region = region_of(parameters, summary.path, summary.file_size);
   summary.size = region.count;
   if (before_reading) before_reading(summary);
-  LabelVolume labels = make_phantom(communicator, phantom);
+  voxels::LabelVolume labels = make_phantom(communicator, phantom);
   return parameters.region ? cut(communicator, labels, region) : labels;
 }
 
 }  // namespace
 
-IntensityVolume read_volume(const base::Communicator& communicator,
-                            const ImageParameters& parameters, const std::string& folder,
-                            ImageSummary& summary, const BeforeReading& before_reading) {
+voxels::IntensityVolume read_volume(const base::Communicator& communicator,
+                                    const ImageParameters& parameters, const std::string& folder,
+                                    ImageSummary& summary, const BeforeReading& before_reading) {
   if (!parameters.file) throw base::InputError("Image|File: missing");
   const std::filesystem::path name = *parameters.file;
   ImageRequest request;
@@ -142,16 +142,16 @@ IntensityVolume read_volume(const base::Communicator& communicator,
         static_cast<long long>(summary.frames), static_cast<long long>(summary.frame)));
   }
   override_voxel_size(parameters, summary);
-  const Box region = region_of(parameters, request.path, summary.file_size);
+  const voxels::Box region = region_of(parameters, request.path, summary.file_size);
   summary.size = region.count;
   if (before_reading) before_reading(summary);
 
-  IntensityVolume volume;
+  voxels::IntensityVolume volume;
   base::collectively(communicator, [&] {
-    volume = IntensityVolume(communicator, region.count, summary.voxel_size.um);
+    volume = voxels::IntensityVolume(communicator, region.count, summary.voxel_size.um);
     volume.first_in_file = region.first;
     if (!source->readable_in_parts() || volume.planes == 0) return;
-    Box slab = region;
+    voxels::Box slab = region;
     slab.first[2] += volume.first_plane;
     slab.count[2] = volume.planes;
     source->read(slab, volume.values.data());
@@ -174,11 +174,12 @@ void require_voxel_size(const ImageSummary& summary) {
                          " is not in the file; set Image|Voxel Size [um] (x, y, z)" + notes);
 }
 
-LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
-                        const std::string& folder, ImageSummary* wanted_summary,
-                        const BeforeReading& before_reading, IntensityVolume* intensities) {
+voxels::LabelVolume read_labels(const base::Communicator& communicator,
+                                const ImageParameters& parameters, const std::string& folder,
+                                ImageSummary* wanted_summary, const BeforeReading& before_reading,
+                                voxels::IntensityVolume* intensities) {
   ImageSummary summary;
-  LabelVolume labels;
+  voxels::LabelVolume labels;
   if (parameters.phantom) {
     labels = phantom_labels(communicator, parameters, summary, before_reading);
     const int smallest = parameters.segmentation.smallest_object;
@@ -189,7 +190,7 @@ LabelVolume read_labels(const base::Communicator& communicator, const ImageParam
           base::format("objects of fewer than %d voxels removed: %lld", smallest, removed));
     }
   } else {
-    IntensityVolume volume =
+    voxels::IntensityVolume volume =
         read_volume(communicator, parameters, folder, summary, [&](const ImageSummary& found) {
           require_voxel_size(found);
           if (before_reading) before_reading(found);

@@ -10,8 +10,8 @@
 
 #include "stroma/base/Communicator.hpp"
 #include "stroma/image/ImageParameters.hpp"
-#include "stroma/image/volume/ImageSummary.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -36,9 +36,10 @@ using BeforeReading = std::function<void(const ImageSummary&)>;
 /// \param before_reading  called with what the headers say, before values are read
 /// \throws base::InputError on all ranks: no such file, not an image, broken, no such channel or
 ///   dataset, a type of value that is not admissible, a region outside the image
-IntensityVolume read_volume(const base::Communicator& communicator,
-                            const ImageParameters& parameters, const std::string& folder,
-                            ImageSummary& summary, const BeforeReading& before_reading = {});
+voxels::IntensityVolume read_volume(const base::Communicator& communicator,
+                                    const ImageParameters& parameters, const std::string& folder,
+                                    ImageSummary& summary,
+                                    const BeforeReading& before_reading = {});
 
 /// \throws base::InputError naming the deck's parameter when the size of a voxel is not known along
 /// every axis
@@ -55,9 +56,10 @@ void require_voxel_size(const ImageSummary& summary);
 ///                        stays empty
 /// \throws base::InputError as read_volume, and when the voxel size is unknown, a label is not an
 ///   integer or below -1, an intensity is not finite, or Otsu's method meets a single value
-LabelVolume read_labels(const base::Communicator& communicator, const ImageParameters& parameters,
-                        const std::string& folder, ImageSummary* summary = nullptr,
-                        const BeforeReading& before_reading = {},
-                        IntensityVolume* intensities = nullptr);
+voxels::LabelVolume read_labels(const base::Communicator& communicator,
+                                const ImageParameters& parameters, const std::string& folder,
+                                ImageSummary* summary = nullptr,
+                                const BeforeReading& before_reading = {},
+                                voxels::IntensityVolume* intensities = nullptr);
 
 }  // namespace stroma::image

@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// The deck section "Materials": what each label of the image is made of.
+/// What each label of the image is made of.
 
 #include <cstdint>
 #include <functional>
@@ -13,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "stroma/deck/Section.hpp"
 #include "stroma/material/AnyLaw.hpp"
 #include "stroma/material/MaterialFields.hpp"
 
@@ -36,8 +35,6 @@ using NamedMaterials = std::vector<std::pair<std::string, MaterialParameters>>;
 struct MaterialsParameters {
   NamedMaterials materials;
 };
-
-deck::Section<MaterialsParameters> materials_section();
 
 /// The largest Poisson ratio of the materials in small strain, of at least one.
 double largest_poisson_ratio(const NamedMaterials& materials);

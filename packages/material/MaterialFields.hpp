@@ -3,13 +3,11 @@
 #pragma once
 
 /// \file
-/// Numbers of a material that vary within it: the deck's lists "Materials|NAME|Fields".
+/// Numbers of a material that vary within it.
 
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "stroma/deck/Section.hpp"
 
 namespace stroma::material {
 
@@ -35,7 +33,5 @@ struct MaterialFields {
   /// The field of a number; null: the number is the material's own everywhere.
   const FieldParameters* of(VaryingNumber number) const;
 };
-
-deck::Section<MaterialFields> material_fields_section();
 
 }  // namespace stroma::material

@@ -100,4 +100,8 @@ const std::vector<Model>& models() {
   return all;
 }
 
+const Model& model_of(const MaterialParameters& material) {
+  return models()[static_cast<std::size_t>(material.model)];
+}
+
 }  // namespace stroma::material

@@ -37,6 +37,8 @@ struct Model {
 
 /// All of them, in the order of the list of laws.
 const std::vector<Model>& models();
+/// The one that a material names.
+const Model& model_of(const MaterialParameters& material);
 
 inline constexpr const char* poisson_ratio_name = "Poisson Ratio";
 

@@ -11,32 +11,9 @@
 
 namespace stroma::particles {
 
-deck::Section<ParticleParameters> particles_section() {
-  deck::Section<ParticleParameters> section(
-      "Particles", "How the image becomes particles; a particle's label is that of its voxel.");
-  section.choice(
-      "Layout", &ParticleParameters::layout,
-      {{"Voxel Centers", Layout::voxel_centers},
-       {"Gauss", Layout::gauss},
-       {"Per Element", Layout::per_element}},
-      "Voxel Centers: Per Voxel^3 particles in each voxel, cut where faces of elements cross it, "
-      "and halved where elements would have one alone: any resolution of the grid is integrated. "
-      "Gauss: the 2 x 2 x 2 Gauss points of each element. Per Element: Per Element^3 equally "
-      "spaced particles in each element. These two take the label of the voxel at the particle for "
-      "all that it stands for, and so lose voxels where there are more than particles; the domains "
-      "of Gauss points leave gaps for shape functions that average over them, and Per Element = 1 "
-      "leaves motions of nodes without resistance. In plane strain, Voxel Centers and Per Element "
-      "have one particle through z: nothing varies there.");
-  section.optional("Per Voxel", &ParticleParameters::per_voxel, deck::between(1, 16),
-                   "Particles per voxel and direction, for Layout = Voxel Centers.");
-  section.optional("Per Element", &ParticleParameters::per_element, deck::between(1, 64),
-                   "Particles per element and direction, for Layout = Per Element.");
-  return section;
-}
-
 std::array<std::vector<double>, 3> layer_weights(const base::Communicator& communicator,
                                                  const grid::Grid& grid,
-                                                 const image::LabelVolume& labels) {
+                                                 const voxels::LabelVolume& labels) {
   std::array<std::vector<double>, 3> filled;  // voxels of each plane of voxels
   for (std::size_t d = 0; d < 3; ++d)
     filled[d].assign(static_cast<std::size_t>(labels.size[d]), 0.0);
@@ -69,14 +46,14 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
 
 Particles<grid::Device> seed(const base::Communicator& communicator,
                              const ParticleParameters& parameters, const grid::Partition& partition,
-                             const image::LabelVolume& labels,
+                             const voxels::LabelVolume& labels,
                              const std::map<std::int32_t, int>& material_of_label,
                              const std::vector<SeededField>& fields) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator.rank());
 
   std::array<AxisLayout, 3> axis;
-  image::Box voxels{};
+  voxels::Box voxels{};
   for (int d = 0; d < 3; ++d) {
     axis[d] = axis_layout(parameters, grid, d, elements.begin[d], elements.end[d], labels.size[d],
                           labels.voxel_size[d]);
@@ -84,7 +61,7 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
     voxels.first[d] = axis[d].voxel.front();
     voxels.count[d] = axis[d].voxel.back() - axis[d].voxel.front() + 1;
   }
-  const std::vector<std::int32_t> label_of_voxel = image::extract(communicator, labels, voxels);
+  const std::vector<std::int32_t> label_of_voxel = voxels::extract(communicator, labels, voxels);
 
   // Visits every point of the rank, element by element: f(ix, iy, iz, voxel).
   const auto for_each_point = [&](const grid::Index3& element, const auto& f) {
@@ -180,7 +157,7 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
     auto& view = particles.*field.field;
     allocate(view, "seeded", static_cast<std::size_t>(count));
     const auto value = Kokkos::create_mirror_view(view);
-    const std::vector<double> intensity = image::extract(communicator, *field.intensities, voxels);
+    const std::vector<double> intensity = voxels::extract(communicator, *field.intensities, voxels);
     p = 0;
     grid::for_each_index(elements, [&](const grid::Index3& element) {
       for_each_point(element, [&](int, int, int, std::size_t voxel) {

@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// Particles from a segmented image, and the deck section "Particles".
+/// Particles from a segmented image.
 
 #include <array>
 #include <cstdint>
@@ -12,30 +12,27 @@
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/deck/Section.hpp"
 #include "stroma/grid/Partition.hpp"
 #include "stroma/grid/Types.hpp"
-#include "stroma/image/volume/Volume.hpp"
 #include "stroma/particles/AxisLayout.hpp"
 #include "stroma/particles/Particles.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::particles {
-
-deck::Section<ParticleParameters> particles_section();
 
 /// Weight of each layer of elements for grid::Partition::balanced: the image's non-empty voxels
 /// there (label other than -1), per direction; a voxel that several layers cut counts in each by
 /// its share. Collective.
 std::array<std::vector<double>, 3> layer_weights(const base::Communicator& communicator,
                                                  const grid::Grid& grid,
-                                                 const image::LabelVolume& labels);
+                                                 const voxels::LabelVolume& labels);
 
 /// A field whose values follow from the voxels that the particles lie in.
 struct SeededField {
   using Member = Kokkos::View<double*, grid::Device>(Particles<grid::Device>::*);
 
   Member field;  ///< such as &Particles<grid::Device>::shear_modulus
-  const image::IntensityVolume* intensities;
+  const voxels::IntensityVolume* intensities;
   std::function<double(int material, double intensity)> value;
 };
 
@@ -52,7 +49,7 @@ struct SeededField {
 /// \throws base::InputError when a label has no material
 Particles<grid::Device> seed(const base::Communicator& communicator,
                              const ParticleParameters& parameters, const grid::Partition& partition,
-                             const image::LabelVolume& labels,
+                             const voxels::LabelVolume& labels,
                              const std::map<std::int32_t, int>& material_of_label,
                              const std::vector<SeededField>& fields = {});
 

@@ -23,7 +23,7 @@ namespace {
 using base::format;
 
 void check_image(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-                 const image::LabelVolume& labels, base::Log& log) {
+                 const voxels::LabelVolume& labels, base::Log& log) {
   const image::ImageSummary& summary = specimen.image;
   const std::array<double, 3>& spacing = specimen.body.spacing;
   log.line(format("image       %s: %s, %s", summary.path.empty() ? "phantom" : summary.path.c_str(),
@@ -82,7 +82,7 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
 
 /// Bytes on the rank with the most.
 void check_memory(const base::Communicator& communicator, const Deck& deck,
-                  const Specimen& specimen, const image::LabelVolume& labels, base::Log& log) {
+                  const Specimen& specimen, const voxels::LabelVolume& labels, base::Log& log) {
   const grid::Box nodes = specimen.partition.touched_nodes(communicator.rank());
   const grid::Box elements = specimen.partition.elements(communicator.rank());
   const MemoryEstimate estimate = estimate_memory(
@@ -109,7 +109,7 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
 void check_command(const base::Communicator& communicator, const Deck& deck, base::Log& log) {
   solver::try_lists(communicator, deck.parameters.solver);
   const SpecimenImage image = read_image(communicator, deck);
-  const image::LabelVolume& labels = image.labels;
+  const voxels::LabelVolume& labels = image.labels;
   const Specimen specimen = make_specimen(communicator, deck, image);
   const grid::Grid& grid = specimen.body;
   check_image(communicator, deck, specimen, labels, log);

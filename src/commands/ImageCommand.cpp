@@ -71,7 +71,7 @@ void print_histogram(const image::Histogram& histogram, base::Log& log) {
   }
 }
 
-void print_objects(const base::Communicator& communicator, const image::LabelVolume& labels,
+void print_objects(const base::Communicator& communicator, const voxels::LabelVolume& labels,
                    image::Connectivity connectivity, base::Log& log) {
   const image::Objects objects(communicator, labels, connectivity);
   const std::int64_t count = objects.count(), large = objects.count(27),
@@ -83,7 +83,7 @@ void print_objects(const base::Communicator& communicator, const image::LabelVol
 }
 
 /// What the values are: extremes, percentiles, histogram, Otsu's threshold and objects above it.
-void print_intensities(const base::Communicator& communicator, image::IntensityVolume volume,
+void print_intensities(const base::Communicator& communicator, voxels::IntensityVolume volume,
                        const image::ValueType& type, base::Log& log) {
   const image::Statistics statistics = image::statistics(communicator, volume);
   const image::Histogram histogram = image::histogram(communicator, volume, type);
@@ -107,8 +107,8 @@ void print_intensities(const base::Communicator& communicator, image::IntensityV
   log.line(format("Otsu         threshold %.9g (%s); above it: %.6f of the volume, %lld voxels",
                   threshold, histogram.levels ? "one bin per level" : "equal bins", fraction,
                   printable(std::llround(fraction * static_cast<double>(volume.voxels())))));
-  const image::LabelVolume labels = image::threshold_labels(volume, threshold);
-  volume = image::IntensityVolume();
+  const voxels::LabelVolume labels = image::threshold_labels(volume, threshold);
+  volume = voxels::IntensityVolume();
   print_objects(communicator, labels, image::Connectivity::faces, log);
   print_objects(communicator, labels, image::Connectivity::corners, log);
 }
@@ -129,7 +129,7 @@ int image_command(const base::Communicator& communicator, const ImageOptions& op
   parameters.frame = options.frame;
   parameters.voxel_size = options.voxel_size;
   image::ImageSummary summary;
-  image::IntensityVolume volume = image::read_volume(communicator, parameters, "", summary);
+  voxels::IntensityVolume volume = image::read_volume(communicator, parameters, "", summary);
   print_summary(summary, log);
 
   try {

@@ -10,10 +10,13 @@
 #include <utility>
 
 #include "stroma/deck/PlainText.hpp"
-#include "stroma/image/ImageSection.hpp"
 #include "stroma/sections/BoundaryConditionsSection.hpp"
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
+#include "stroma/sections/ImageSection.hpp"
+#include "stroma/sections/MaterialsSection.hpp"
+#include "stroma/sections/OutputSection.hpp"
+#include "stroma/sections/ParticlesSection.hpp"
 #include "stroma/sections/SolverSection.hpp"
 
 namespace stroma {
@@ -48,16 +51,16 @@ deck::Section<DeckParameters> deck_section() {
       "A specimen from an image, its materials, supports and load, and how it is solved.");
   section.optional("Title", &DeckParameters::title, deck::any(),
                    "One line about the run; it stands in the results and on the pictures.");
-  section.required_section(image::image_section(), &DeckParameters::image);
-  section.required_section(material::materials_section(), &DeckParameters::materials);
-  section.section(particles::particles_section(), &DeckParameters::particles);
+  section.required_section(sections::image_section(), &DeckParameters::image);
+  section.required_section(sections::materials_section(), &DeckParameters::materials);
+  section.section(sections::particles_section(), &DeckParameters::particles);
   section.required_section(sections::grid_section(), &DeckParameters::grid);
   section.required_section(sections::boundary_conditions_section(),
                            &DeckParameters::boundary_conditions);
   section.section(sections::external_forces_section(), &DeckParameters::external_forces);
   section.section(sections::loading_section(), &DeckParameters::loading);
   section.section(sections::solver_section(), &DeckParameters::solver);
-  section.section(output::output_section(), &DeckParameters::output);
+  section.section(sections::output_section(), &DeckParameters::output);
   section.check(refuse_fields_without_intensities);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {

@@ -16,7 +16,7 @@
 #include "stroma/mechanics/problem/BoundaryConditions.hpp"
 #include "stroma/mechanics/problem/ExternalForces.hpp"
 #include "stroma/mechanics/problem/GridParameters.hpp"
-#include "stroma/output/OutputSection.hpp"
+#include "stroma/output/OutputParameters.hpp"
 #include "stroma/particles/Seeding.hpp"
 #include "stroma/solver/SolverParameters.hpp"
 

@@ -6,17 +6,15 @@
 /// What a run leaves on disk, step by step.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "run/Deck.hpp"
+#include "run/FieldFiles.hpp"
 #include "run/Specimen.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/mechanics/MomentumBalance.hpp"
-#include "stroma/output/files/GridFile.hpp"
 #include "stroma/output/files/History.hpp"
-#include "stroma/output/files/ParticleFile.hpp"
 #include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/pictures/Pictures.hpp"
 
@@ -42,35 +40,18 @@ class Results {
               const std::function<double()>& seconds);
 
  private:
-  output::ParticleSet particle_set() const;
-  output::HistoryRow with_figures(output::HistoryRow row, const mechanics::MomentumBalance& balance,
-                                  const grid::Vector& u) const;
-  /// The particles' states in the order of particle_set(), good until the balance is used again.
-  output::StatePieces states(const mechanics::MomentumBalance& balance,
-                             const grid::Vector& u) const;
-  void write_particles(const mechanics::MomentumBalance& balance, const grid::Vector& u);
-  void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
-  void write_grid(mechanics::MomentumBalance& balance, const grid::Vector& u);
-  /// How much the springs of conditions imposed by penalty give way.
-  void print_give(const mechanics::MomentumBalance& balance, const grid::Vector& u) const;
-  void print_bounds() const;
-  void print_table(const std::vector<output::MovingSupport>& moving,
-                   const grid::Partition& partition, double seconds) const;
+  void draw(const std::vector<output::MovingSupport>& moving,
+            const mechanics::MomentumBalance& balance, const grid::Vector& u);
 
   base::Communicator communicator_;
   const Deck* deck_;
   const Specimen* specimen_;
   output::RunFolder folder_;
   base::Log* log_;
-  std::vector<std::string> conditions_, materials_;
-  output::Provenance provenance_;
   output::Pictures pictures_;
   output::History history_;
-  std::optional<output::ParticleFile> particle_file_;
-  std::optional<output::GridFile> grid_file_;
-  int grid_files_ = 0;
+  FieldFiles fields_;
   std::vector<output::HistoryRow> rows_;
-  std::int64_t particles_step_ = -1, grid_step_ = -1;  // last ones written
 };
 
 }  // namespace stroma

@@ -34,7 +34,7 @@ grid::Grid body_of(const DeckParameters& p, const std::array<std::int64_t, 3>& v
 }
 
 /// Of the voxels, over all ranks.
-double filled_fraction(const base::Communicator& communicator, const image::LabelVolume& labels) {
+double filled_fraction(const base::Communicator& communicator, const voxels::LabelVolume& labels) {
   const auto filled = static_cast<std::int64_t>(
       std::count_if(labels.values.begin(), labels.values.end(), [](auto l) { return l >= 0; }));
   return static_cast<double>(communicator.sum(filled)) / static_cast<double>(labels.voxels());
@@ -43,7 +43,7 @@ double filled_fraction(const base::Communicator& communicator, const image::Labe
 /// How far the conditions and tractions on the body's faces reach into the image, in whole elements
 /// whose particles have shape functions there.
 image::FaceReach reach_of_conditions(const DeckParameters& p, const grid::Grid& body,
-                                     const image::LabelVolume& labels) {
+                                     const voxels::LabelVolume& labels) {
   std::vector<mechanics::Face> faces;
   for (const auto& [name, condition] : p.boundary_conditions.conditions)
     if (condition.face) faces.push_back(*condition.face);
@@ -113,7 +113,7 @@ SpecimenImage read_image(const base::Communicator& communicator, const Deck& dec
   const base::Stage stage("image");
   const DeckParameters& p = deck.parameters;
   SpecimenImage image;
-  image::LabelVolume& labels = image.labels;
+  voxels::LabelVolume& labels = image.labels;
   labels = image::read_labels(
       communicator, p.image, deck.document.folder(), &image.summary,
       [&](const image::ImageSummary& found) {  // how much of it is empty, nobody knows yet
@@ -134,7 +134,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                        const SpecimenImage& image) {
   const base::Stage stage("particles");
   const DeckParameters& p = deck.parameters;
-  const image::LabelVolume& labels = image.labels;
+  const voxels::LabelVolume& labels = image.labels;
   const material::NamedMaterials& materials = p.materials.materials;
   const grid::Grid grid = body_of(p, labels.size, labels.voxel_size);
   require_memory(communicator, p, labels.size, grid, filled_fraction(communicator, labels));

@@ -10,18 +10,18 @@
 #include "run/Deck.hpp"
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Partition.hpp"
-#include "stroma/image/volume/ImageSummary.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
 #include "stroma/mechanics/MomentumBalance.hpp"
 #include "stroma/solver/Advice.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma {
 
 /// The deck's image, this rank's part.
 struct SpecimenImage {
   image::ImageSummary summary;
-  image::LabelVolume labels;
-  image::IntensityVolume intensities;  ///< where a material's field asks for them; else empty
+  voxels::LabelVolume labels;
+  voxels::IntensityVolume intensities;  ///< where a material's field asks for them; else empty
 };
 
 /// Grid and particles of one deck, this rank's part.

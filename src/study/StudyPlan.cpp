@@ -212,7 +212,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
       }
       const std::string image = xml(as_run(deck)->sublist("Image"));
       if (box_of_image.count(image) == 0) {
-        const image::LabelVolume labels = read_image(communicator, deck).labels;
+        const voxels::LabelVolume labels = read_image(communicator, deck).labels;
         auto& box = box_of_image[image];
         for (std::size_t d = 0; d < 3; ++d)
           box[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];

@@ -34,7 +34,7 @@ int read_image_file(const std::uint8_t* bytes, std::size_t size, const Open& ope
   try {
     const auto source = open(request);
     const auto& count = source->summary().file_size;
-    image::Box last{{0, 0, count[2] - 1}, {count[0], count[1], 1}};
+    voxels::Box last{{0, 0, count[2] - 1}, {count[0], count[1], 1}};
     if (last.voxels() > (1 << 22)) return 0;  // as said and packed; too slow here
     std::vector<double> values(static_cast<std::size_t>(last.voxels()));
     source->read(last, values.data());

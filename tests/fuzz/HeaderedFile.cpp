@@ -47,7 +47,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   try {
     const auto source = open(request, bytes[0]);
     const auto& count = source->summary().file_size;
-    image::Box box{{0, 0, 0}, {count[0], count[1], 1}};
+    voxels::Box box{{0, 0, 0}, {count[0], count[1], 1}};
     box.first[2] = count[2] - 1;
     std::vector<double> values(static_cast<std::size_t>(box.voxels()));
     source->read(box, values.data());

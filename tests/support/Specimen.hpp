@@ -64,9 +64,9 @@ struct Specimen {
     return edge;
   }
 
-  image::LabelVolume labels(const base::Communicator& communicator) const {
+  voxels::LabelVolume labels(const base::Communicator& communicator) const {
     const std::array<std::int64_t, 3> size = voxels();
-    image::LabelVolume volume(communicator, size, voxel_size());
+    voxels::LabelVolume volume(communicator, size, voxel_size());
     if (!label) return volume;
     std::size_t n = 0;
     for (std::int64_t k = 0; k < volume.planes; ++k)

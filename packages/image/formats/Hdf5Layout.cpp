@@ -12,7 +12,7 @@
 
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/Hdf5File.hpp"
-#include "stroma/image/volume/LengthUnit.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 
 namespace stroma::image {
 namespace {

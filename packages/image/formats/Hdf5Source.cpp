@@ -74,12 +74,12 @@ class Hdf5Source : public ImageSource {
     if (!summary_.voxel_size.complete()) take_voxel_size();
   }
 
-  void read(const Box& box, double* values) override {
+  void read(const voxels::Box& box, double* values) override {
     const Hdf5Messages quiet;
     if (is_direct()) {
       read_as_stored(box, H5T_NATIVE_DOUBLE, values);
     } else {
-      Box piece = box;
+      voxels::Box piece = box;
       const std::int64_t plane = box.count[0] * box.count[1];
       const std::int64_t planes = std::max<std::int64_t>(1, piece_voxels / plane);
       for (std::int64_t k = 0; k < box.count[2]; k += planes) {
@@ -254,7 +254,7 @@ class Hdf5Source : public ImageSource {
   }
 
   /// The values of a box, in the file's own order.
-  void read_as_stored(const Box& box, hid_t type, void* values) const {
+  void read_as_stored(const voxels::Box& box, hid_t type, void* values) const {
     std::vector<hsize_t> first(extents_.size(), 0), count(extents_.size(), 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (axes_.space[axis] < 0) continue;
@@ -276,7 +276,7 @@ class Hdf5Source : public ImageSource {
     if (!done) refuse_dataset("cannot be read (broken or truncated)" + Hdf5Messages::reason());
   }
 
-  void read_turned(const Box& box, double* values) const {
+  void read_turned(const voxels::Box& box, double* values) const {
     const std::int64_t voxels = box.voxels();
     std::vector<double> stored(static_cast<std::size_t>(voxels));
     if (by_bytes_) {

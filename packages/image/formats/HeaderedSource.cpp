@@ -34,7 +34,7 @@ class HeaderedSource : public ImageSource {
 
   bool readable_in_parts() const override { return header_.encoding == Encoding::raw; }
 
-  void read(const Box& box, double* values) override {
+  void read(const voxels::Box& box, double* values) override {
     const auto& stride = header_.stride;
     const std::int64_t row = (box.count[0] - 1) * stride[0] + 1;
     const std::int64_t rows = (box.count[1] - 1) * stride[1] + row;

@@ -155,7 +155,7 @@ void decode(const unsigned char* bytes, const ValueType& type, bool swapped, std
 }
 
 void read_raw(const std::string& path, std::uint64_t offset, const ValueType& type, bool swapped,
-              const std::array<std::int64_t, 3>& size, const Box& box, double* values) {
+              const std::array<std::int64_t, 3>& size, const voxels::Box& box, double* values) {
   std::ifstream file(path, std::ios::binary);
   const std::int64_t row_bytes = size[0] * type.bytes;
   std::vector<unsigned char> rows(static_cast<std::size_t>(row_bytes * box.count[1]));

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/ImageSummary.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -26,7 +26,7 @@ class ImageSource {
 
   /// The values of a box of the file, x fastest. Not collective.
   /// \throws base::InputError when the file is broken there
-  virtual void read(const Box& box, double* values) = 0;
+  virtual void read(const voxels::Box& box, double* values) = 0;
 
   /// False when the file can only be read as a whole: then rank 0 alone reads.
   virtual bool readable_in_parts() const { return true; }
@@ -94,6 +94,6 @@ void decode(const unsigned char* bytes, const ValueType& type, bool swapped, std
 /// Reads a box out of planes that lie one after another, uncompressed, from some byte of a file on.
 /// \throws base::InputError when the file ends too early
 void read_raw(const std::string& path, std::uint64_t offset, const ValueType& type, bool swapped,
-              const std::array<std::int64_t, 3>& size, const Box& box, double* values);
+              const std::array<std::int64_t, 3>& size, const voxels::Box& box, double* values);
 
 }  // namespace stroma::image

@@ -10,8 +10,8 @@
 
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 #include "stroma/image/formats/VolumeHeader.hpp"
-#include "stroma/image/volume/LengthUnit.hpp"
 
 namespace stroma::image {
 namespace {

@@ -12,8 +12,8 @@
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/HeaderText.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 #include "stroma/image/formats/VolumeHeader.hpp"
-#include "stroma/image/volume/LengthUnit.hpp"
 
 namespace stroma::image {
 namespace {

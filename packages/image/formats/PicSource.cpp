@@ -11,7 +11,7 @@
 
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
-#include "stroma/image/volume/LengthUnit.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 
 namespace stroma::image {
 namespace {
@@ -40,7 +40,7 @@ class PicSource : public ImageSource {
     if (has_notes) read_notes(file);
   }
 
-  void read(const Box& box, double* values) override {
+  void read(const voxels::Box& box, double* values) override {
     read_raw(summary_.path, header_bytes, summary_.type, false, summary_.file_size, box, values);
   }
 

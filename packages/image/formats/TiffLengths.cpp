@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "stroma/base/Log.hpp"
-#include "stroma/image/volume/LengthUnit.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 
 namespace stroma::image {
 namespace {

@@ -7,10 +7,10 @@
 /// used becomes a note.
 
 #include "stroma/image/formats/ImageJDescription.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
 #include "stroma/image/formats/MicroscopeTags.hpp"
 #include "stroma/image/formats/OmeXml.hpp"
 #include "stroma/image/formats/TiffPages.hpp"
-#include "stroma/image/volume/ImageSummary.hpp"
 
 namespace stroma::image {
 

@@ -282,7 +282,8 @@ void TiffPages::read_piece(std::size_t index, const Pieces& pieces, std::int64_t
   }
 }
 
-void TiffPages::read(std::size_t index, std::int64_t sample, const Box& box, double* values) {
+void TiffPages::read(std::size_t index, std::int64_t sample, const voxels::Box& box,
+                     double* values) {
   const TiffMessages messages;
   go_to(index);
   const TiffPage& page = pages_[index];

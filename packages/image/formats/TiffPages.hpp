@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "stroma/image/volume/ImageSummary.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -80,7 +80,7 @@ class TiffPages {
   std::optional<std::uint64_t> start_of_values(std::size_t page);
   /// A box of one sample of a page, x fastest; along z, of its depth.
   /// \throws base::InputError when it cannot be decoded
-  void read(std::size_t index, std::int64_t sample, const Box& box, double* values);
+  void read(std::size_t index, std::int64_t sample, const voxels::Box& box, double* values);
 
  private:
   struct Close {

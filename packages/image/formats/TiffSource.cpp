@@ -61,7 +61,7 @@ class TiffSource : public ImageSource {
     note_what_is_odd();
   }
 
-  void read(const Box& box, double* values) override {
+  void read(const voxels::Box& box, double* values) override {
     const std::int64_t plane_voxels = box.count[0] * box.count[1];
     for (std::int64_t k = 0, run = 1; k < box.count[2]; k += run) {
       const std::int64_t plane = plane_of(box.first[2] + k);
@@ -70,7 +70,7 @@ class TiffSource : public ImageSource {
       while (k + run < box.count[2] && plane_of(box.first[2] + k + run) == plane + run &&
              (in_one_piece_ || page_of(plane + run) == page_of(plane)))
         ++run;
-      Box part = box;
+      voxels::Box part = box;
       part.first[2] = in_one_piece_ ? plane : plane % reference_.depth;
       part.count[2] = run;
       double* const to = values + k * plane_voxels;

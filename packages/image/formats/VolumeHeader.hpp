@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "stroma/image/volume/ImageSummary.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
 
 namespace stroma::image {
 

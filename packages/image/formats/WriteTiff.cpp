@@ -34,7 +34,7 @@ constexpr const char* stroma_software = "Stroma";
 
 /// \return whether it could be written
 template <class T>
-bool write_page(TIFF* file, const Volume<T>& volume, std::int64_t index,
+bool write_page(TIFF* file, const voxels::Volume<T>& volume, std::int64_t index,
                 const std::vector<T>& plane) {
   TIFFSetField(file, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(volume.size[0]));
   TIFFSetField(file, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(volume.size[1]));
@@ -93,7 +93,7 @@ class Draft {
 }  // namespace
 
 void write_tiff(const base::Communicator& communicator, const std::string& path,
-                const Volume<std::uint8_t>& volume) {
+                const voxels::Volume<std::uint8_t>& volume) {
   const TiffMessages messages;
   std::optional<Draft> draft;
   base::collectively(communicator, [&] {
@@ -101,8 +101,8 @@ void write_tiff(const base::Communicator& communicator, const std::string& path,
   });
   bool is_written = true;
   for (std::int64_t k = 0; k < volume.size[2]; ++k) {
-    Box plane{{0, 0, k}, {volume.size[0], volume.size[1], communicator.is_root() ? 1 : 0}};
-    const std::vector<std::uint8_t> values = extract(communicator, volume, plane);
+    voxels::Box plane{{0, 0, k}, {volume.size[0], volume.size[1], communicator.is_root() ? 1 : 0}};
+    const std::vector<std::uint8_t> values = voxels::extract(communicator, volume, plane);
     if (communicator.is_root() && is_written)
       is_written = write_page(draft->file(), volume, k, values);
   }

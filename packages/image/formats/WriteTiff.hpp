@@ -9,7 +9,7 @@
 #include <string>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -19,7 +19,7 @@ namespace stroma::image {
 /// it is whole. Collective.
 /// \throws base::RunError on all ranks when the file cannot be written
 void write_tiff(const base::Communicator& communicator, const std::string& path,
-                const Volume<std::uint8_t>& volume);
+                const voxels::Volume<std::uint8_t>& volume);
 
 /// Whether a file was written by write_tiff(): its tag Software says so.
 bool is_written_by_stroma(const std::string& path);

@@ -11,7 +11,7 @@
 namespace stroma::image {
 namespace {
 
-bool is_within_reach(const LabelVolume& labels, const FaceReach& reach,
+bool is_within_reach(const voxels::LabelVolume& labels, const FaceReach& reach,
                      const std::array<std::int64_t, 3>& voxel) {
   for (std::size_t d = 0; d < 3; ++d)
     if (voxel[d] < reach[d][0] || labels.size[d] - voxel[d] <= reach[d][1]) return true;
@@ -19,8 +19,8 @@ bool is_within_reach(const LabelVolume& labels, const FaceReach& reach,
 }
 
 /// (piece) Voxels of its whole object that are within reach. Collective.
-std::vector<std::int64_t> voxels_within_reach(const LabelVolume& labels, const FaceReach& reach,
-                                              const Objects& body) {
+std::vector<std::int64_t> voxels_within_reach(const voxels::LabelVolume& labels,
+                                              const FaceReach& reach, const Objects& body) {
   std::vector<std::int64_t> count(body.pieces(), 0);
   std::size_t v = 0;
   for (std::int64_t k = labels.first_plane; k < labels.first_plane + labels.planes; ++k)
@@ -33,14 +33,14 @@ std::vector<std::int64_t> voxels_within_reach(const LabelVolume& labels, const F
 
 }  // namespace
 
-std::string leave_out_fragments(const base::Communicator& communicator, LabelVolume& labels,
+std::string leave_out_fragments(const base::Communicator& communicator, voxels::LabelVolume& labels,
                                 const FaceReach& reach) {
   const auto filled = static_cast<std::int64_t>(std::count_if(
       labels.values.begin(), labels.values.end(), [](std::int32_t label) { return label >= 0; }));
   const std::int64_t all_filled = communicator.sum(filled);
   if (all_filled == labels.voxels()) return "";
 
-  LabelVolume is_filled(communicator, labels.size, labels.voxel_size);
+  voxels::LabelVolume is_filled(communicator, labels.size, labels.voxel_size);
   std::transform(labels.values.begin(), labels.values.end(), is_filled.values.begin(),
                  [](std::int32_t label) { return label >= 0 ? 1 : 0; });
   const Objects body(communicator, is_filled, Connectivity::faces);

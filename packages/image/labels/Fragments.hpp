@@ -9,7 +9,7 @@
 #include <string>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -24,7 +24,7 @@ using FaceReach = std::array<std::array<std::int64_t, 2>, 3>;
 ///
 /// Memory: 9 bytes a voxel, for a while, where some are empty.
 /// \returns what the user should know; "" when there is no fragment
-std::string leave_out_fragments(const base::Communicator& communicator, LabelVolume& labels,
+std::string leave_out_fragments(const base::Communicator& communicator, voxels::LabelVolume& labels,
                                 const FaceReach& reach);
 
 }  // namespace stroma::image

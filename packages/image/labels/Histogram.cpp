@@ -15,7 +15,8 @@ namespace {
 
 /// Smallest and largest value of all ranks. \throws base::InputError when one is not finite, or
 /// their difference is too large for a double
-std::array<double, 2> range(const base::Communicator& communicator, const IntensityVolume& volume) {
+std::array<double, 2> range(const base::Communicator& communicator,
+                            const voxels::IntensityVolume& volume) {
   require_finite(communicator, volume);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : volume.values) {
@@ -30,7 +31,7 @@ std::array<double, 2> range(const base::Communicator& communicator, const Intens
   return {low, high};
 }
 
-Histogram counted(const base::Communicator& communicator, const IntensityVolume& volume,
+Histogram counted(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                   double first_edge, double width, std::int64_t bins, bool levels) {
   Histogram histogram{first_edge, width, levels,
                       std::vector<std::int64_t>(static_cast<std::size_t>(bins), 0)};
@@ -44,7 +45,7 @@ Histogram counted(const base::Communicator& communicator, const IntensityVolume&
 
 }  // namespace
 
-void require_finite(const base::Communicator& communicator, const IntensityVolume& volume) {
+void require_finite(const base::Communicator& communicator, const voxels::IntensityVolume& volume) {
   constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
   std::int64_t count = 0, first = none;
   for (std::size_t i = 0; i < volume.values.size(); ++i) {
@@ -59,14 +60,15 @@ void require_finite(const base::Communicator& communicator, const IntensityVolum
       "%lld of %lld voxels are not finite (NaN or infinity), the first of them %s; admissible: "
       "finite intensities",
       static_cast<long long>(all), static_cast<long long>(volume.voxels()),
-      name_of_voxel(volume, communicator.min(first)).c_str()));
+      voxels::name_of_voxel(volume, communicator.min(first)).c_str()));
 }
 
 std::int64_t Histogram::total() const {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
 }
 
-Statistics statistics(const base::Communicator& communicator, const IntensityVolume& volume) {
+Statistics statistics(const base::Communicator& communicator,
+                      const voxels::IntensityVolume& volume) {
   const auto [low, high] = range(communicator, volume);
   const double count = static_cast<double>(volume.voxels());
   const double mean =
@@ -76,7 +78,7 @@ Statistics statistics(const base::Communicator& communicator, const IntensityVol
   return {low, high, mean, std::sqrt(communicator.sum(squares) / count)};
 }
 
-Histogram histogram(const base::Communicator& communicator, const IntensityVolume& volume,
+Histogram histogram(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                     const ValueType& type, int bins) {
   const auto [low, high] = range(communicator, volume);
   if (type.is_integer() && high - low < static_cast<double>(most_levels))
@@ -85,7 +87,7 @@ Histogram histogram(const base::Communicator& communicator, const IntensityVolum
   return equal_bins(communicator, volume, bins);
 }
 
-Histogram equal_bins(const base::Communicator& communicator, const IntensityVolume& volume,
+Histogram equal_bins(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                      int bins) {
   const auto [low, high] = range(communicator, volume);
   const double width =
@@ -148,7 +150,7 @@ double percentile(const Histogram& histogram, double percent) {
   return between == 0.0 ? low : low + between * (value_at(lower + 1) - low);
 }
 
-double fraction_above(const base::Communicator& communicator, const IntensityVolume& volume,
+double fraction_above(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                       double threshold) {
   const auto above = std::count_if(volume.values.begin(), volume.values.end(),
                                    [&](double value) { return value > threshold; });

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/ImageSummary.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -39,21 +39,22 @@ inline constexpr std::int64_t most_levels = std::int64_t{1} << 20;
 
 /// Collective.
 /// \throws base::InputError when a value is not finite: how many, and where the first is
-void require_finite(const base::Communicator& communicator, const IntensityVolume& volume);
+void require_finite(const base::Communicator& communicator, const voxels::IntensityVolume& volume);
 
 /// Collective.
 /// \throws base::InputError when a value is not finite
-Statistics statistics(const base::Communicator& communicator, const IntensityVolume& volume);
+Statistics statistics(const base::Communicator& communicator,
+                      const voxels::IntensityVolume& volume);
 
 /// One bin per integer level from the smallest to the largest value when the type is an integer and
 /// its range is at most most_levels; else `bins` equal bins between the smallest and the largest
 /// value. Collective.
 /// \throws base::InputError when a value is not finite
-Histogram histogram(const base::Communicator& communicator, const IntensityVolume& volume,
+Histogram histogram(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                     const ValueType& type, int bins = 256);
 
 /// Equal bins between the smallest and the largest value, whatever the type. Collective.
-Histogram equal_bins(const base::Communicator& communicator, const IntensityVolume& volume,
+Histogram equal_bins(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                      int bins);
 
 /// Otsu's threshold: the bin centre t that maximises the variance between the classes I <= t
@@ -72,7 +73,7 @@ double otsu_threshold(const Histogram& histogram);
 double percentile(const Histogram& histogram, double percent);
 
 /// Fraction of the voxels with a value > threshold. Collective.
-double fraction_above(const base::Communicator& communicator, const IntensityVolume& volume,
+double fraction_above(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                       double threshold);
 
 }  // namespace stroma::image

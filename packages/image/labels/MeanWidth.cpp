@@ -8,13 +8,13 @@
 
 namespace stroma::image {
 
-double mean_width(const base::Communicator& communicator, const LabelVolume& labels,
+double mean_width(const base::Communicator& communicator, const voxels::LabelVolume& labels,
                   std::int32_t label) {
   const std::int64_t nx = labels.size[0], ny = labels.size[1];
   // The plane above this slab, whose owner is some later rank.
-  Box above{{0, 0, labels.first_plane + labels.planes}, {nx, ny, 1}};
+  voxels::Box above{{0, 0, labels.first_plane + labels.planes}, {nx, ny, 1}};
   if (labels.planes == 0 || above.first[2] >= labels.size[2]) above.count = {0, 0, 0};
-  const std::vector<std::int32_t> next = extract(communicator, labels, above);
+  const std::vector<std::int32_t> next = voxels::extract(communicator, labels, above);
 
   std::array<std::int64_t, 4> counts{0, 0, 0, 0};  // crossings along x, y, z; voxels of the label
   for (std::int64_t k = 0; k < labels.planes; ++k) {

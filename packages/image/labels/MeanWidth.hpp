@@ -6,7 +6,7 @@
 /// How wide the objects of a label are.
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -19,7 +19,7 @@ namespace stroma::image {
 /// with P_L the crossings of the objects' surface per length of grid lines along the axes. Faces of
 /// the image are no surface. 0 when the label does not occur, infinity when it has no surface.
 /// Collective. Source: Underwood (1970), Quantitative Stereology, chapters 2 and 4.
-double mean_width(const base::Communicator& communicator, const LabelVolume& labels,
+double mean_width(const base::Communicator& communicator, const voxels::LabelVolume& labels,
                   std::int32_t label);
 
 }  // namespace stroma::image

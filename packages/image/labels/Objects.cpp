@@ -31,7 +31,7 @@ std::vector<Offset> earlier_neighbours(Connectivity connectivity) {
 
 }  // namespace
 
-Objects::Objects(const base::Communicator& communicator, const LabelVolume& labels,
+Objects::Objects(const base::Communicator& communicator, const voxels::LabelVolume& labels,
                  Connectivity connectivity)
     : communicator_(communicator) {
   find_pieces(labels, connectivity);
@@ -39,7 +39,7 @@ Objects::Objects(const base::Communicator& communicator, const LabelVolume& labe
   size_ = sum_over_pieces(std::move(size_));
 }
 
-void Objects::find_pieces(const LabelVolume& labels, Connectivity connectivity) {
+void Objects::find_pieces(const voxels::LabelVolume& labels, Connectivity connectivity) {
   const std::vector<Offset> neighbours = earlier_neighbours(connectivity);
   const auto [nx, ny, nz] =
       std::array<std::int64_t, 3>{labels.size[0], labels.size[1], labels.planes};
@@ -85,32 +85,34 @@ void Objects::find_pieces(const LabelVolume& labels, Connectivity connectivity) 
   std::iota(id_.begin(), id_.end(), first_id_);
 }
 
-void Objects::merge_over_slabs(const LabelVolume& labels, Connectivity connectivity) {
+void Objects::merge_over_slabs(const voxels::LabelVolume& labels, Connectivity connectivity) {
   const std::int64_t nx = labels.size[0], ny = labels.size[1];
   const std::int64_t plane = nx * ny;
   const int reach = connectivity == Connectivity::faces ? 0 : 1;
   const bool busy = labels.planes > 0;
   const std::int64_t last_plane = labels.first_plane + labels.planes - 1;
-  const Box below{{0, 0, labels.first_plane - 1}, {nx, ny, busy && labels.first_plane > 0 ? 1 : 0}};
-  const Box above{{0, 0, last_plane + 1},
-                  {nx, ny, busy && last_plane + 1 < labels.size[2] ? 1 : 0}};
+  const voxels::Box below{{0, 0, labels.first_plane - 1},
+                          {nx, ny, busy && labels.first_plane > 0 ? 1 : 0}};
+  const voxels::Box above{{0, 0, last_plane + 1},
+                          {nx, ny, busy && last_plane + 1 < labels.size[2] ? 1 : 0}};
 
   // Each rank sees the plane before and the plane behind its slab; pieces that touch across take
   // the smaller number, until no rank has anything to change. Only boundary planes are filled and
   // exchanged.
-  Volume<std::int64_t> ids;
+  voxels::Volume<std::int64_t> ids;
   ids.size = {nx, ny, 2 * communicator_.size()};
   ids.first_plane = 2 * communicator_.rank();
   ids.planes = 2;
   ids.values.assign(static_cast<std::size_t>(2 * plane), -1);
-  const Slabs slabs(labels.size[2], communicator_.size());
-  const auto in_ids = [&](const Box& box, int side) {  // side 0: a slab's first plane, 1: its last
-    Box found = box;
+  const voxels::Slabs slabs(labels.size[2], communicator_.size());
+  const auto in_ids = [&](const voxels::Box& box,
+                          int side) {  // side 0: a slab's first plane, 1: its last
+    voxels::Box found = box;
     if (box.count[2] > 0) found.first[2] = 2 * slabs.owner(box.first[2]) + side;
     return found;
   };
-  const std::vector<std::int32_t> labels_below = extract(communicator_, labels, below);
-  const std::vector<std::int32_t> labels_above = extract(communicator_, labels, above);
+  const std::vector<std::int32_t> labels_below = voxels::extract(communicator_, labels, below);
+  const std::vector<std::int32_t> labels_above = voxels::extract(communicator_, labels, above);
 
   const auto publish = [&] {
     for (int side = 0; side < 2 && busy; ++side) {
@@ -149,8 +151,10 @@ void Objects::merge_over_slabs(const LabelVolume& labels, Connectivity connectiv
   if (communicator_.size() == 1) return;
   for (bool changed = true; changed;) {
     publish();
-    const std::vector<std::int64_t> ids_below = extract(communicator_, ids, in_ids(below, 1));
-    const std::vector<std::int64_t> ids_above = extract(communicator_, ids, in_ids(above, 0));
+    const std::vector<std::int64_t> ids_below =
+        voxels::extract(communicator_, ids, in_ids(below, 1));
+    const std::vector<std::int64_t> ids_above =
+        voxels::extract(communicator_, ids, in_ids(above, 0));
     const bool changed_below = adopt(ids_below, labels_below, 0);
     const bool changed_above = adopt(ids_above, labels_above, labels.planes - 1);
     changed = communicator_.any(changed_below || changed_above);
@@ -229,11 +233,12 @@ namespace {
 
 /// (piece) How many more neighbours of the object's voxels are empty space than label 0.
 std::vector<std::int64_t> emptiness_around(const base::Communicator& communicator,
-                                           const LabelVolume& labels, const Objects& objects) {
+                                           const voxels::LabelVolume& labels,
+                                           const Objects& objects) {
   const auto [nx, ny, nz] = labels.size;
   const std::int64_t first = std::max<std::int64_t>(labels.first_plane - 1, 0);
   const std::int64_t last = std::min(labels.first_plane + labels.planes + 1, nz);
-  const std::vector<std::int32_t> around = extract(
+  const std::vector<std::int32_t> around = voxels::extract(
       communicator, labels, {{0, 0, first}, {nx, ny, labels.planes > 0 ? last - first : 0}});
   std::vector<std::int64_t> emptiness(objects.pieces(), 0);
   std::size_t voxel = 0;
@@ -259,8 +264,8 @@ std::vector<std::int64_t> emptiness_around(const base::Communicator& communicato
 
 }  // namespace
 
-std::int64_t remove_small_objects(const base::Communicator& communicator, LabelVolume& labels,
-                                  std::int64_t smallest) {
+std::int64_t remove_small_objects(const base::Communicator& communicator,
+                                  voxels::LabelVolume& labels, std::int64_t smallest) {
   const Objects objects(communicator, labels, Connectivity::corners);
   const std::int64_t removed = objects.count() - objects.count(smallest);
   std::vector<std::int64_t> emptiness(objects.pieces(), 0);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -22,7 +22,7 @@ enum class Connectivity { faces = 6, corners = 26 };
 class Objects {
  public:
   /// Collective.
-  Objects(const base::Communicator& communicator, const LabelVolume& labels,
+  Objects(const base::Communicator& communicator, const voxels::LabelVolume& labels,
           Connectivity connectivity);
 
   /// Number of objects of at least so many voxels. Collective.
@@ -55,14 +55,14 @@ class Objects {
   std::vector<std::int64_t> size_;  ///< (piece) voxels of the whole object
   std::int64_t first_id_ = 0;       ///< pieces of the ranks before this one
 
-  void find_pieces(const LabelVolume& labels, Connectivity connectivity);
-  void merge_over_slabs(const LabelVolume& labels, Connectivity connectivity);
+  void find_pieces(const voxels::LabelVolume& labels, Connectivity connectivity);
+  void merge_over_slabs(const voxels::LabelVolume& labels, Connectivity connectivity);
 };
 
 /// Objects (26-connected) of fewer voxels than `smallest` become background: empty space (-1) where
 /// more of the neighbours of their voxels are empty than are of label 0, else label 0. Collective.
 /// \returns how many objects were removed
-std::int64_t remove_small_objects(const base::Communicator& communicator, LabelVolume& labels,
-                                  std::int64_t smallest);
+std::int64_t remove_small_objects(const base::Communicator& communicator,
+                                  voxels::LabelVolume& labels, std::int64_t smallest);
 
 }  // namespace stroma::image

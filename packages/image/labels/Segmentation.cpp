@@ -17,8 +17,8 @@ namespace {
 
 /// Labels with the shape of another volume.
 template <class T>
-LabelVolume labels_like(const Volume<T>& volume) {
-  LabelVolume labels;
+voxels::LabelVolume labels_like(const voxels::Volume<T>& volume) {
+  voxels::LabelVolume labels;
   labels.size = volume.size;
   labels.voxel_size = volume.voxel_size;
   labels.first_plane = volume.first_plane;
@@ -29,15 +29,16 @@ LabelVolume labels_like(const Volume<T>& volume) {
 
 }  // namespace
 
-LabelVolume threshold_labels(const IntensityVolume& volume, double threshold) {
-  LabelVolume labels = labels_like(volume);
+voxels::LabelVolume threshold_labels(const voxels::IntensityVolume& volume, double threshold) {
+  voxels::LabelVolume labels = labels_like(volume);
   std::transform(volume.values.begin(), volume.values.end(), labels.values.begin(),
                  [&](double value) { return value > threshold ? 1 : 0; });
   return labels;
 }
 
-LabelVolume value_labels(const base::Communicator& communicator, const IntensityVolume& volume) {
-  LabelVolume labels = labels_like(volume);
+voxels::LabelVolume value_labels(const base::Communicator& communicator,
+                                 const voxels::IntensityVolume& volume) {
+  voxels::LabelVolume labels = labels_like(volume);
   base::collectively(communicator, [&] {
     for (std::size_t i = 0; i < volume.values.size(); ++i) {
       const double value = volume.values[i];
@@ -49,7 +50,7 @@ LabelVolume value_labels(const base::Communicator& communicator, const Intensity
         throw base::InputError(base::format(
             "Image|Segmentation|Method = Labels: the value at %s is %.9g; admissible: integers "
             "from -1 (empty space) to 2147483647",
-            name_of_voxel(volume, voxel).c_str(), value));
+            voxels::name_of_voxel(volume, voxel).c_str(), value));
       }
       labels.values[i] = static_cast<std::int32_t>(value);
     }
@@ -60,7 +61,7 @@ LabelVolume value_labels(const base::Communicator& communicator, const Intensity
 namespace {
 
 void smooth_intensities(const base::Communicator& communicator, double deviation,
-                        IntensityVolume& volume, ImageSummary& summary) {
+                        voxels::IntensityVolume& volume, ImageSummary& summary) {
   std::array<double, 3> sigma{};
   std::string axes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -77,9 +78,10 @@ void smooth_intensities(const base::Communicator& communicator, double deviation
 }
 
 /// Labels 0 and 1 by a threshold, the user's or Otsu's.
-LabelVolume labels_by_threshold(const base::Communicator& communicator,
-                                const IntensityVolume& volume,
-                                const SegmentationParameters& parameters, ImageSummary& summary) {
+voxels::LabelVolume labels_by_threshold(const base::Communicator& communicator,
+                                        const voxels::IntensityVolume& volume,
+                                        const SegmentationParameters& parameters,
+                                        ImageSummary& summary) {
   double threshold = 0.0;
   if (parameters.method == SegmentationParameters::Method::threshold) {
     threshold = parameters.threshold.value();
@@ -95,7 +97,7 @@ LabelVolume labels_by_threshold(const base::Communicator& communicator,
 
 /// Turns labels into empty space, and says of how many voxels.
 void empty_out(const base::Communicator& communicator, const SegmentationParameters& parameters,
-               LabelVolume& labels, ImageSummary& summary) {
+               voxels::LabelVolume& labels, ImageSummary& summary) {
   std::vector<int> empty;
   if (const std::string* word = std::get_if<std::string>(&*parameters.empty_labels)) {
     empty = {*word == "Bright" ? 1 : 0};
@@ -119,15 +121,15 @@ void empty_out(const base::Communicator& communicator, const SegmentationParamet
 
 }  // namespace
 
-LabelVolume segment(const base::Communicator& communicator, IntensityVolume volume,
-                    const SegmentationParameters& parameters, ImageSummary& summary) {
+voxels::LabelVolume segment(const base::Communicator& communicator, voxels::IntensityVolume volume,
+                            const SegmentationParameters& parameters, ImageSummary& summary) {
   require_finite(communicator, volume);
   if (parameters.smoothing > 0.0)
     smooth_intensities(communicator, parameters.smoothing, volume, summary);
-  LabelVolume labels = parameters.method == SegmentationParameters::Method::labels
-                           ? value_labels(communicator, volume)
-                           : labels_by_threshold(communicator, volume, parameters, summary);
-  volume = IntensityVolume();
+  voxels::LabelVolume labels = parameters.method == SegmentationParameters::Method::labels
+                                   ? value_labels(communicator, volume)
+                                   : labels_by_threshold(communicator, volume, parameters, summary);
+  volume = voxels::IntensityVolume();
   if (parameters.empty_labels) empty_out(communicator, parameters, labels, summary);
   if (parameters.smallest_object > 1) {
     const std::int64_t removed =
@@ -140,7 +142,7 @@ LabelVolume segment(const base::Communicator& communicator, IntensityVolume volu
 }
 
 std::map<std::int32_t, double> volume_fractions(const base::Communicator& communicator,
-                                                const LabelVolume& labels) {
+                                                const voxels::LabelVolume& labels) {
   std::map<std::int32_t, std::int64_t> here;
   for (const std::int32_t label : labels.values) ++here[label];
   // Labels one after another, in rising order: each round, the smallest that is left on any rank.
@@ -160,7 +162,7 @@ std::map<std::int32_t, double> volume_fractions(const base::Communicator& commun
 }
 
 std::vector<double> plane_fractions(const base::Communicator& communicator,
-                                    const LabelVolume& labels, std::int32_t label) {
+                                    const voxels::LabelVolume& labels, std::int32_t label) {
   std::vector<double> fractions(static_cast<std::size_t>(labels.size[2]), 0.0);
   for (std::int64_t k = 0; k < labels.planes; ++k) {
     const auto count = std::count(labels.plane(k), labels.plane(k) + labels.plane_voxels(), label);

@@ -56,7 +56,7 @@ void convolve_rows(const std::vector<double>& weights, std::int64_t rows, std::i
 
 /// Along z: the planes within reach come from the ranks that hold them.
 template <class T>
-void convolve_planes(const base::Communicator& communicator, Volume<T>& volume,
+void convolve_planes(const base::Communicator& communicator, voxels::Volume<T>& volume,
                      const std::vector<double>& weights) {
   const auto r = static_cast<std::int64_t>(weights.size() / 2);
   const std::int64_t planes = volume.size[2];
@@ -68,9 +68,9 @@ void convolve_planes(const base::Communicator& communicator, Volume<T>& volume,
     first = std::min(first, mirrored(k, planes));
     last = std::max(last, mirrored(k, planes));
   }
-  Box reach{{0, 0, first}, {volume.size[0], volume.size[1], last - first + 1}};
-  if (volume.planes == 0) reach = Box{};
-  const std::vector<T> around = extract(communicator, volume, reach);
+  voxels::Box reach{{0, 0, first}, {volume.size[0], volume.size[1], last - first + 1}};
+  if (volume.planes == 0) reach = voxels::Box{};
+  const std::vector<T> around = voxels::extract(communicator, volume, reach);
   const auto plane_voxels = static_cast<std::size_t>(volume.plane_voxels());
   std::vector<double> sum(plane_voxels);
   for (std::int64_t k = 0; k < volume.planes; ++k) {
@@ -112,11 +112,11 @@ void average_rows(std::int64_t rows, std::int64_t row_length, T* plane) {
 
 /// Along z: every rank adds up all planes in their order, one at a time.
 template <class T>
-void average_planes(const base::Communicator& communicator, Volume<T>& volume) {
+void average_planes(const base::Communicator& communicator, voxels::Volume<T>& volume) {
   std::vector<double> sum(static_cast<std::size_t>(volume.plane_voxels()), 0.0);
   for (std::int64_t k = 0; k < volume.size[2]; ++k) {
     const std::vector<T> plane =
-        extract(communicator, volume, {{0, 0, k}, {volume.size[0], volume.size[1], 1}});
+        voxels::extract(communicator, volume, {{0, 0, k}, {volume.size[0], volume.size[1], 1}});
     std::transform(sum.begin(), sum.end(), plane.begin(), sum.begin(), std::plus<double>());
   }
   for (std::int64_t k = 0; k < volume.planes; ++k) {
@@ -145,7 +145,7 @@ std::vector<double> gaussian_weights(double sigma) {
 }
 
 template <class T>
-void smooth(const base::Communicator& communicator, Volume<T>& volume,
+void smooth(const base::Communicator& communicator, voxels::Volume<T>& volume,
             const std::array<double, 3>& sigma) {
   std::array<std::vector<double>, 3> weights;  // none along an axis: the mean is taken there
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -168,7 +168,9 @@ void smooth(const base::Communicator& communicator, Volume<T>& volume,
   if (along_z.size() > 1) convolve_planes(communicator, volume, along_z);
 }
 
-template void smooth(const base::Communicator&, Volume<float>&, const std::array<double, 3>&);
-template void smooth(const base::Communicator&, Volume<double>&, const std::array<double, 3>&);
+template void smooth(const base::Communicator&, voxels::Volume<float>&,
+                     const std::array<double, 3>&);
+template void smooth(const base::Communicator&, voxels::Volume<double>&,
+                     const std::array<double, 3>&);
 
 }  // namespace stroma::image

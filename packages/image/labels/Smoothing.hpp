@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -31,7 +31,7 @@ bool smooths_to_mean(double sigma, std::int64_t n);
 /// \param volume        smoothed in place
 /// \param sigma         standard deviation along x, y, z [voxels], >= 0
 template <class T>
-void smooth(const base::Communicator& communicator, Volume<T>& volume,
+void smooth(const base::Communicator& communicator, voxels::Volume<T>& volume,
             const std::array<double, 3>& sigma);
 
 }  // namespace stroma::image

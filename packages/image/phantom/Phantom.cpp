@@ -32,10 +32,10 @@ bool contains(const ShapeParameters& shape, const Vector& d) {
 
 }  // namespace
 
-LabelVolume make_shapes(const base::Communicator& communicator,
-                        const std::array<std::int64_t, 3>& size,
-                        const std::array<double, 3>& voxel_size, const ShapeList& shapes) {
-  LabelVolume labels(communicator, size, voxel_size);
+voxels::LabelVolume make_shapes(const base::Communicator& communicator,
+                                const std::array<std::int64_t, 3>& size,
+                                const std::array<double, 3>& voxel_size, const ShapeList& shapes) {
+  voxels::LabelVolume labels(communicator, size, voxel_size);
   std::size_t voxel = 0;
   for (std::int64_t k = 0; k < labels.planes; ++k) {
     for (std::int64_t j = 0; j < size[1]; ++j) {
@@ -54,8 +54,8 @@ LabelVolume make_shapes(const base::Communicator& communicator,
   return labels;
 }
 
-LabelVolume make_phantom(const base::Communicator& communicator,
-                         const PhantomParameters& parameters) {
+voxels::LabelVolume make_phantom(const base::Communicator& communicator,
+                                 const PhantomParameters& parameters) {
   using Kind = PhantomParameters::Kind;
   const std::array<std::int64_t, 3> size{parameters.size[0], parameters.size[1],
                                          parameters.size[2]};
@@ -63,7 +63,7 @@ LabelVolume make_phantom(const base::Communicator& communicator,
     return make_shapes(communicator, size, parameters.voxel_size,
                        parameters.shapes.value_or(ShapeList{}));
   if (parameters.kind == Kind::uniform)
-    return LabelVolume(communicator, size, parameters.voxel_size);
+    return voxels::LabelVolume(communicator, size, parameters.voxel_size);
   VesselParameters vessels;
   vessels.size = size;
   vessels.voxel_size = parameters.voxel_size;

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::image {
 
@@ -54,8 +54,8 @@ struct PhantomParameters {
 };
 
 /// The labels of a phantom: label 0, and what its kind puts into it. Collective.
-LabelVolume make_phantom(const base::Communicator& communicator,
-                         const PhantomParameters& parameters);
+voxels::LabelVolume make_phantom(const base::Communicator& communicator,
+                                 const PhantomParameters& parameters);
 
 /// Shapes in a block of label 0. A voxel belongs to a shape when its centre x does, with d = x -
 /// center:
@@ -65,19 +65,19 @@ LabelVolume make_phantom(const base::Communicator& communicator,
 ///     box:       |d_i| < size_i / 2
 ///
 /// Later shapes overwrite earlier ones. No communication.
-LabelVolume make_shapes(const base::Communicator& communicator,
-                        const std::array<std::int64_t, 3>& size,
-                        const std::array<double, 3>& voxel_size, const ShapeList& shapes);
+voxels::LabelVolume make_shapes(const base::Communicator& communicator,
+                                const std::array<std::int64_t, 3>& size,
+                                const std::array<double, 3>& voxel_size, const ShapeList& shapes);
 
 /// A vessel network as labels: 1 vessel, 0 gel; the fraction is met to a voxel or so. The same
 /// network for the same seed on any number of ranks. Collective.
 /// \throws base::InputError when the fraction cannot be reached in a box of this size
-LabelVolume make_vessels(const base::Communicator& communicator,
-                         const VesselParameters& parameters);
+voxels::LabelVolume make_vessels(const base::Communicator& communicator,
+                                 const VesselParameters& parameters);
 
 /// A vessel network as a confocal microscope would show it, 8 bit, and what was reached.
 struct GreyVessels {
-  Volume<std::uint8_t> volume;
+  voxels::Volume<std::uint8_t> volume;
   double drawn_fraction = 0.0;  ///< of the tubes before blur and noise
   double otsu_fraction = 0.0;  ///< above Otsu's threshold of the grey image: this meets the request
   int otsu_threshold = 0;

@@ -23,7 +23,7 @@ namespace {
 constexpr double widest = 1.7;
 
 /// Draws one segment into the field, which takes the smaller value.
-void draw(const TubeSegment& s, Volume<float>& field) {
+void draw(const TubeSegment& s, voxels::Volume<float>& field) {
   const auto& h = field.voxel_size;
   const double reach = widest * std::max(s.radius_from, s.radius_to);
   std::array<std::int64_t, 3> first{}, last{};
@@ -55,7 +55,7 @@ void draw(const TubeSegment& s, Volume<float>& field) {
   }
 }
 
-double fraction_below(const base::Communicator& communicator, const Volume<float>& field,
+double fraction_below(const base::Communicator& communicator, const voxels::Volume<float>& field,
                       double factor) {
   const auto bound = static_cast<float>(factor * factor);
   std::int64_t below = 0;
@@ -64,7 +64,7 @@ double fraction_below(const base::Communicator& communicator, const Volume<float
 }
 
 /// The factor on all radii that gives the fraction, by bisection.
-double factor_for(const base::Communicator& communicator, const Volume<float>& field,
+double factor_for(const base::Communicator& communicator, const voxels::Volume<float>& field,
                   double fraction) {
   double low = 0.0, high = widest;
   for (int i = 0; i < 32; ++i) {
@@ -85,8 +85,8 @@ double factor_for(const base::Communicator& communicator, const Volume<float>& f
 
 /// The distance field of a network that can reach the fraction, and a little more, with a common
 /// factor near 1. A slice or another thin box is cut from the middle of a thicker network.
-Volume<float> network_field(const base::Communicator& communicator,
-                            const VesselParameters& parameters) {
+voxels::Volume<float> network_field(const base::Communicator& communicator,
+                                    const VesselParameters& parameters) {
   const double voxel =
       *std::max_element(parameters.voxel_size.begin(), parameters.voxel_size.end());
   std::array<double, 3> box{};
@@ -108,7 +108,7 @@ Volume<float> network_field(const base::Communicator& communicator,
   network.tube_volume =
       -std::log(1.0 - parameters.fraction) * network.box[0] * network.box[1] * network.box[2];
   for (int attempt = 0; attempt < 6; ++attempt) {
-    Volume<float> field(communicator, parameters.size, parameters.voxel_size);
+    voxels::Volume<float> field(communicator, parameters.size, parameters.voxel_size);
     std::fill(field.values.begin(), field.values.end(), 1e9f);
     for (TubeSegment segment : grow_network(network)) {
       for (std::size_t a = 0; a < 3; ++a) {
@@ -159,15 +159,16 @@ int poisson(double mean, double uniform) {
 }
 
 /// The grey image of the tubes, all radii scaled by a factor.
-Volume<std::uint8_t> expose(const base::Communicator& communicator, const Volume<float>& field,
-                            double factor, std::uint64_t seed) {
-  Volume<float> light = field;
+voxels::Volume<std::uint8_t> expose(const base::Communicator& communicator,
+                                    const voxels::Volume<float>& field, double factor,
+                                    std::uint64_t seed) {
+  voxels::Volume<float> light = field;
   const auto bound = static_cast<float>(factor * factor);
   for (float& value : light.values) value = value < bound ? 1.0f : 0.0f;
   const auto& h = field.voxel_size;
   smooth(communicator, light, {blur_xy / h[0], blur_xy / h[1], blur_z / h[2]});
 
-  Volume<std::uint8_t> grey(communicator, field.size, field.voxel_size);
+  voxels::Volume<std::uint8_t> grey(communicator, field.size, field.voxel_size);
   const auto first_voxel = static_cast<std::uint64_t>(field.first_plane * field.plane_voxels());
   const std::uint64_t noise_seed = random_bits(seed, 0x6E6F697365);
   for (std::size_t i = 0; i < light.values.size(); ++i) {
@@ -197,13 +198,13 @@ void measure(const base::Communicator& communicator, GreyVessels& grey) {
 
 }  // namespace
 
-LabelVolume make_vessels(const base::Communicator& communicator,
-                         const VesselParameters& parameters) {
+voxels::LabelVolume make_vessels(const base::Communicator& communicator,
+                                 const VesselParameters& parameters) {
   check(parameters);
-  const Volume<float> field = network_field(communicator, parameters);
+  const voxels::Volume<float> field = network_field(communicator, parameters);
   const double factor = factor_for(communicator, field, parameters.fraction);
   const auto bound = static_cast<float>(factor * factor);
-  LabelVolume labels(communicator, parameters.size, parameters.voxel_size);
+  voxels::LabelVolume labels(communicator, parameters.size, parameters.voxel_size);
   std::transform(field.values.begin(), field.values.end(), labels.values.begin(),
                  [&](float value) { return value < bound ? 1 : 0; });
   require_fraction(fraction_below(communicator, field, factor), parameters);
@@ -214,7 +215,7 @@ GreyVessels make_grey_vessels(const base::Communicator& communicator,
                               const VesselParameters& parameters) {
   check(parameters);
   const auto seed = static_cast<std::uint64_t>(parameters.seed);
-  const Volume<float> field = network_field(communicator, parameters);
+  const voxels::Volume<float> field = network_field(communicator, parameters);
   GreyVessels best;
   double drawn = parameters.fraction;
   for (int round = 0; round < 8; ++round) {

@@ -33,6 +33,16 @@ void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
           "Problem::particle_half_edge of each layer of particles along each axis");
 }
 
+/// Refuses a field that no law would read. Collective: ranks without particles have none.
+void check_fields(const base::Communicator& communicator,
+                  const particles::Particles<grid::Device>& particles,
+                  const StressKernels& kernels) {
+  if (!kernels.read_shear_modulus() && communicator.any(particles.shear_modulus.extent(0) > 0))
+    throw base::InputError(
+        "the particles have shear moduli of their own, which the laws do not read; admissible: "
+        "LawList::vary, or laws of which all that vary have with_shear_modulus()");
+}
+
 /// The domains as kernels want them: one box if all are alike.
 transfer::ParticleDomains<grid::Device> domains_of(const Problem& problem) {
   transfer::ParticleDomains<grid::Device> domains;
@@ -67,6 +77,7 @@ Body::Body(const base::Communicator& communicator, const grid::Partition& partit
       domains_(domains_of(problem)) {
   check_shape_functions(problem, partition.grid());
   check_scales(problem);
+  check_fields(communicator, particles_, *stress_);
   particles::begin_history(particles_, stress_->states());
   typical_diagonal_ = problem.laws.stiffest_modulus() *
                       std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});

@@ -32,6 +32,8 @@ class StressKernels {
 
   /// Numbers of history that particles must have (Particles::history); 0: none.
   virtual int states() const = 0;
+  /// Whether they ask for the particles' own shear modulus (Particles::shear_modulus).
+  virtual bool read_shear_modulus() const = 0;
 
   /// transfer::InternalForce; force is added to.
   virtual std::int64_t internal_force(const Points& points, const NodeView& force) const = 0;

@@ -23,6 +23,9 @@ class StressKernelsOf : public StressKernels {
   explicit StressKernelsOf(const std::vector<Law>& laws) : law_(grid::to_device("law", laws)) {}
 
   int states() const override { return material::states_of<Law>; }
+  bool read_shear_modulus() const override {
+    return material::is_asked_by_particle<Law> && material::may_vary_in_stiffness<Law>;
+  }
   std::int64_t internal_force(const Points& points, const NodeView& force) const override {
     return launch("internal force", points,
                   transfer::InternalForce<Shape, Law, Device>{{points}, law_, force});

@@ -19,9 +19,9 @@ const std::vector<ValueType> integer_types = {
 
 image::ImageSummary summary;
 
-image::IntensityVolume read(const std::string& path, int channel = 0,
-                            const std::string& dataset = "",
-                            std::optional<std::array<int, 6>> region = {}) {
+voxels::IntensityVolume read(const std::string& path, int channel = 0,
+                             const std::string& dataset = "",
+                             std::optional<std::array<int, 6>> region = {}) {
   image::ImageParameters parameters;
   parameters.file = path;
   parameters.channel = channel;
@@ -260,7 +260,7 @@ TEST(Formats, Hdf5OfEveryTypeAndShape) {
 TEST(Formats, WhatWriteTiffWritesReadsBack) {
   const base::Communicator world = base::Communicator::world();
   const Pattern pattern = pattern_for({Kind::unsigned_integer, 1});
-  image::Volume<std::uint8_t> volume(world, {6, 5, 7}, {1.05, 0.93, 0.4994126});
+  voxels::Volume<std::uint8_t> volume(world, {6, 5, 7}, {1.05, 0.93, 0.4994126});
   std::size_t voxel = 0;
   for (std::int64_t z = 0; z < volume.planes; ++z) {
     for (std::int64_t y = 0; y < 5; ++y) {

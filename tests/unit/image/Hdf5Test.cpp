@@ -136,7 +136,7 @@ image::ImageParameters parameters_of(const std::string& path) {
   return parameters;
 }
 
-image::IntensityVolume read(const image::ImageParameters& parameters) {
+voxels::IntensityVolume read(const image::ImageParameters& parameters) {
   return image::read_volume(base::Communicator::world(), parameters, "", summary);
 }
 
@@ -155,7 +155,7 @@ bool noted(const std::string& words) {
   });
 }
 
-void expect_values(const image::IntensityVolume& volume, std::int64_t c = 0, std::int64_t t = 0,
+void expect_values(const voxels::IntensityVolume& volume, std::int64_t c = 0, std::int64_t t = 0,
                    const Size& first = {0, 0, 0}, const Size& count = size) {
   ASSERT_EQ(volume.size, count);
   std::size_t voxel = 0;
@@ -333,7 +333,7 @@ TEST(Hdf5, BigDataViewerIsUnsignedAndItsVoxelSizeIsInItsXml) {
   });
   image::ImageParameters parameters = parameters_of(path);
   parameters.channel = 1;
-  const image::IntensityVolume volume = read(parameters);
+  const voxels::IntensityVolume volume = read(parameters);
   ASSERT_EQ(volume.size, size);
   for (std::size_t i = 0; i < volume.values.size(); ++i) {
     const std::int64_t v = static_cast<std::int64_t>(i) + 140 * volume.first_plane;
@@ -351,7 +351,7 @@ TEST(Hdf5, BigDataViewerIsUnsignedAndItsVoxelSizeIsInItsXml) {
 }
 
 TEST(Hdf5, MasksOfEveryType) {
-  const auto ones = [](const image::IntensityVolume& volume) {
+  const auto ones = [](const voxels::IntensityVolume& volume) {
     double sum = 0.0;
     for (const double value : volume.values) sum += value;
     return base::Communicator::world().sum(sum);
@@ -422,7 +422,7 @@ TEST(Hdf5, ASparseDatasetIsReadAndWhatWasNeverWrittenIsSaid) {
   image::ImageParameters parameters = parameters_of(path);
   parameters.dataset = "some";
   parameters.region = {{470, 60, 30, 42, 30, 20}};
-  const image::IntensityVolume volume = read(parameters);
+  const voxels::IntensityVolume volume = read(parameters);
   const auto found = std::count(volume.values.begin(), volume.values.end(), 255.0);
   EXPECT_EQ(base::Communicator::world().sum(static_cast<std::int64_t>(found)), 16 * 16 * 16);
   EXPECT_TRUE(noted("10239 of the dataset's 10240 chunks were never written"));

@@ -88,8 +88,8 @@ std::string nrrd(const std::string& type, const std::string& fields) {
 
 image::ImageSummary summary;
 
-image::IntensityVolume read(const std::string& path, int channel = 0,
-                            std::optional<std::array<int, 6>> region = {}) {
+voxels::IntensityVolume read(const std::string& path, int channel = 0,
+                             std::optional<std::array<int, 6>> region = {}) {
   image::ImageParameters parameters;
   parameters.file = path;
   parameters.channel = channel;
@@ -107,7 +107,7 @@ void expect_read(const std::string& path, const ValueType& type, int channel = 0
 bool noted(const std::string& words) { return has_note(summary, words); }
 
 TEST(MetaImage, ValuesAsTextOnAnyNumberOfRanks) {
-  const image::IntensityVolume volume = read(case_file("metaimage_ascii/ascii.mha"));
+  const voxels::IntensityVolume volume = read(case_file("metaimage_ascii/ascii.mha"));
   for (std::int64_t k = 0; k < volume.planes; ++k)
     for (std::int64_t j = 0; j < 10; ++j)
       for (std::int64_t i = 0; i < 14; ++i)
@@ -120,7 +120,7 @@ TEST(MetaImage, ValuesAsTextOnAnyNumberOfRanks) {
 }
 
 TEST(MetaImage, PackedValuesWithAndWithoutTheirLength) {
-  const image::IntensityVolume volume = read(case_file("metaimage_incomplete/nosize.mha"));
+  const voxels::IntensityVolume volume = read(case_file("metaimage_incomplete/nosize.mha"));
   const image::Statistics statistics = image::statistics(base::Communicator::world(), volume);
   EXPECT_EQ(statistics.min, 1);
   EXPECT_EQ(statistics.max, 4089);
@@ -452,7 +452,7 @@ TEST(Nifti, BothVersionsInBothByteOrders) {
 }
 
 TEST(Nifti, SlopeAndIntercept) {
-  const image::IntensityVolume volume = read(case_file("nifti_slope/slope.nii"));
+  const voxels::IntensityVolume volume = read(case_file("nifti_slope/slope.nii"));
   for (std::int64_t k = 0; k < volume.planes; ++k)
     for (std::int64_t v = 0; v < 140; ++v)
       ASSERT_NEAR(volume.plane(k)[v],
@@ -477,7 +477,7 @@ TEST(Nifti, SlopeAndIntercept) {
 }
 
 TEST(Nifti, OrientationIsNotedAndTheArrayRead) {
-  const image::IntensityVolume volume = read(case_file("nifti_orientation/shear.nii"));
+  const voxels::IntensityVolume volume = read(case_file("nifti_orientation/shear.nii"));
   for (std::int64_t k = 0; k < volume.planes; ++k)
     for (std::int64_t v = 0; v < 140; ++v)
       ASSERT_EQ(volume.plane(k)[v], 140 * (k + volume.first_plane) + v);

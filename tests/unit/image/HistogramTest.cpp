@@ -16,7 +16,7 @@
 namespace stroma::test {
 namespace {
 
-using image::IntensityVolume;
+using voxels::IntensityVolume;
 
 const image::ValueType u8{image::ValueType::Kind::unsigned_integer, 1};
 const image::ValueType f32{image::ValueType::Kind::floating, 4};

@@ -18,8 +18,8 @@ namespace {
 using Size = std::array<std::int64_t, 3>;
 
 template <class Label>
-image::LabelVolume volume_of(const Size& size, Label&& label) {
-  image::LabelVolume volume(base::Communicator::world(), size, {1.0, 1.0, 1.0});
+voxels::LabelVolume volume_of(const Size& size, Label&& label) {
+  voxels::LabelVolume volume(base::Communicator::world(), size, {1.0, 1.0, 1.0});
   const std::int64_t first = volume.first_plane * volume.plane_voxels();
   for (std::size_t i = 0; i < volume.values.size(); ++i)
     volume.values[i] = label(first + static_cast<std::int64_t>(i));
@@ -63,7 +63,7 @@ std::vector<std::int64_t> flood_fill(const Size& size, Label&& label, bool corne
 
 template <class Label>
 void expect_same(const Size& size, Label&& label) {
-  const image::LabelVolume volume = volume_of(size, label);
+  const voxels::LabelVolume volume = volume_of(size, label);
   for (const bool corners : {false, true}) {
     const std::vector<std::int64_t> expected = flood_fill(size, label, corners);
     const image::Objects objects(
@@ -124,7 +124,7 @@ TEST(Objects, SmallOnesBecomeLabelZero) {
     if (x == 5 && y == 5 && z < 7) return 2;
     return x == 7 && y == 2 && z == 3 ? 1 : 0;
   };
-  image::LabelVolume volume = volume_of(size, bars);
+  voxels::LabelVolume volume = volume_of(size, bars);
   EXPECT_EQ(image::remove_small_objects(world, volume, 8), 2);
   std::int64_t left = 0;
   for (const std::int32_t label : volume.values) {
@@ -147,11 +147,11 @@ std::int32_t label_with_specks(std::int64_t voxel) {
 TEST(Fragments, AreWhatNoFaceJoinsToAConditionsReach) {
   const auto world = base::Communicator::world();
   const Size size{6, 5, 7};
-  const auto filled = [&](const image::LabelVolume& labels) {
+  const auto filled = [&](const voxels::LabelVolume& labels) {
     return world.sum<std::int64_t>(std::count_if(labels.values.begin(), labels.values.end(),
                                                  [](auto label) { return label >= 0; }));
   };
-  image::LabelVolume labels = volume_of(size, label_with_specks);
+  voxels::LabelVolume labels = volume_of(size, label_with_specks);
   EXPECT_EQ(filled(labels), 28 + 2 + 3);
   EXPECT_EQ(image::leave_out_fragments(world, labels, {{{0, 0}, {0, 0}, {2, 1}}})
                 .find("1 fragment of the body, 2 voxels or 6.1 % of it, is left out: "),

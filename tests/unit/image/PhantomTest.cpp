@@ -25,14 +25,14 @@ const base::Communicator& world() {
   return instance;
 }
 
-image::LabelVolume shapes(const std::vector<ShapeParameters>& list) {
+voxels::LabelVolume shapes(const std::vector<ShapeParameters>& list) {
   image::ShapeList named;
   for (const ShapeParameters& shape : list) named.shapes.emplace_back("shape", shape);
   return image::make_shapes(world(), {40, 36, 30}, {0.5, 0.6, 0.8}, named);
 }
 
 /// Fraction of a label times the volume of the block, 20 x 21.6 x 24 um.
-double volume_of(const image::LabelVolume& labels, std::int32_t label) {
+double volume_of(const voxels::LabelVolume& labels, std::int32_t label) {
   const auto fractions = image::volume_fractions(world(), labels);
   return fractions.count(label) ? fractions.at(label) * 20.0 * 21.6 * 24.0 : 0.0;
 }
@@ -65,7 +65,7 @@ TEST(Shapes, ASlantedCylinderIsItsFormulaVoxelByVoxel) {
   cylinder.axis = {{1.0, 2.0, -0.5}};
   cylinder.radius = 3.0;
   cylinder.label = 2;
-  const image::LabelVolume labels = shapes({cylinder});
+  const voxels::LabelVolume labels = shapes({cylinder});
   std::size_t voxel = 0;
   for (std::int64_t k = 0; k < labels.planes; ++k) {
     for (std::int64_t j = 0; j < 36; ++j) {
@@ -101,7 +101,7 @@ TEST(Vessels, LabelsReachTheFraction) {
   for (const double fraction : {0.02, 0.104, 0.194, 0.4}) {
     image::VesselParameters parameters = small_network();
     parameters.fraction = fraction;
-    const image::LabelVolume labels = image::make_vessels(world(), parameters);
+    const voxels::LabelVolume labels = image::make_vessels(world(), parameters);
     EXPECT_NEAR(image::volume_fractions(world(), labels).at(1), fraction, 5e-4);
   }
 }
@@ -123,7 +123,7 @@ TEST(Vessels, AFractionThatABoxCannotHoldIsRefused) {
 
 // A network, not a heap of grains: few objects, and the largest holds much of it.
 TEST(Vessels, AreConnectedTubes) {
-  const image::LabelVolume labels = image::make_vessels(world(), small_network());
+  const voxels::LabelVolume labels = image::make_vessels(world(), small_network());
   const image::Objects objects(world(), labels, image::Connectivity::corners);
   EXPECT_LT(objects.count(), 25);
   EXPECT_GT(static_cast<double>(objects.largest()),
@@ -156,7 +156,7 @@ TEST(Vessels, GreyImageReachesTheFractionAboveItsOtsuThreshold) {
     image::ImageParameters parameters;
     parameters.file = options.output;
     image::ImageSummary summary;
-    const image::LabelVolume labels = image::read_labels(world(), parameters, "", &summary);
+    const voxels::LabelVolume labels = image::read_labels(world(), parameters, "", &summary);
     EXPECT_NEAR(image::volume_fractions(world(), labels).at(1), fraction, 0.002);
     for (std::size_t axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(summary.voxel_size.um[axis], options.voxel_size[axis], 1e-9);
@@ -183,7 +183,7 @@ TEST(Phantom, FromTheDeckWithARegion) {
   image::PhantomParameters& phantom = parameters.phantom.emplace();
   phantom.size = {8, 6, 10};
   phantom.voxel_size = {1.0, 2.0, 3.0};
-  const image::LabelVolume uniform = image::read_labels(world(), parameters, "");
+  const voxels::LabelVolume uniform = image::read_labels(world(), parameters, "");
   EXPECT_EQ(image::volume_fractions(world(), uniform), (std::map<std::int32_t, double>{{0, 1.0}}));
   phantom.kind = image::PhantomParameters::Kind::shapes;
   ShapeParameters box;
@@ -192,7 +192,7 @@ TEST(Phantom, FromTheDeckWithARegion) {
   box.size = {{4.0, 8.0, 24.0}};  // of which the voxels 0-1, 0-1, 0-3 lie in the specimen
   phantom.shapes = image::ShapeList{{{"corner", box}}};
   parameters.region = {{1, 1, 2, 4, 4, 4}};
-  const image::LabelVolume part = image::read_labels(world(), parameters, "");
+  const voxels::LabelVolume part = image::read_labels(world(), parameters, "");
   EXPECT_EQ(part.size, (std::array<std::int64_t, 3>{4, 4, 4}));
   EXPECT_DOUBLE_EQ(image::volume_fractions(world(), part).at(1), 2.0 / 64.0);
 }

@@ -11,12 +11,12 @@
 
 namespace stroma::test {
 
-image::IntensityVolume read_back(const image::ImageParameters& parameters,
-                                 image::ImageSummary& summary) {
+voxels::IntensityVolume read_back(const image::ImageParameters& parameters,
+                                  image::ImageSummary& summary) {
   return image::read_volume(base::Communicator::world(), parameters, folder(), summary);
 }
 
-void expect_pattern(const image::IntensityVolume& volume, const Size& size, const Pattern& pattern,
+void expect_pattern(const voxels::IntensityVolume& volume, const Size& size, const Pattern& pattern,
                     std::int64_t channel, const Size& first) {
   ASSERT_EQ(volume.size, size);
   ASSERT_EQ(base::Communicator::world().sum(volume.planes), size[2]);

@@ -15,12 +15,12 @@ namespace stroma::test {
 using Size = std::array<std::int64_t, 3>;
 
 /// Reads what `parameters` ask for; a file's name is relative to folder().
-image::IntensityVolume read_back(const image::ImageParameters& parameters,
-                                 image::ImageSummary& summary);
+voxels::IntensityVolume read_back(const image::ImageParameters& parameters,
+                                  image::ImageSummary& summary);
 
 /// Every value of this rank's slab is the pattern's, and the slabs make up `size`.
 /// \param first  the voxel of the pattern at the volume's corner
-void expect_pattern(const image::IntensityVolume& volume, const Size& size, const Pattern& pattern,
+void expect_pattern(const voxels::IntensityVolume& volume, const Size& size, const Pattern& pattern,
                     std::int64_t channel = 0, const Size& first = {0, 0, 0});
 
 /// A note holds these words.

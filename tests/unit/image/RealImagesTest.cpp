@@ -37,7 +37,7 @@ struct Figures {
   std::array<std::int64_t, 3> faces, corners;  // objects, of at least 27 voxels, largest
 };
 
-void expect_objects(const image::LabelVolume& labels, image::Connectivity connectivity,
+void expect_objects(const voxels::LabelVolume& labels, image::Connectivity connectivity,
                     const std::array<std::int64_t, 3>& expected) {
   const image::Objects objects(world(), labels, connectivity);
   EXPECT_EQ(objects.count(), expected[0]);
@@ -46,7 +46,7 @@ void expect_objects(const image::LabelVolume& labels, image::Connectivity connec
 }
 
 /// Tolerances: the figures are printed with 6 digits.
-void expect_figures(const image::IntensityVolume& volume, const image::ValueType& type,
+void expect_figures(const voxels::IntensityVolume& volume, const image::ValueType& type,
                     const Figures& f) {
   EXPECT_EQ(volume.size, f.size);
   const image::Statistics statistics = image::statistics(world(), volume);
@@ -69,15 +69,15 @@ void expect_figures(const image::IntensityVolume& volume, const image::ValueType
   const double equal = image::otsu_threshold(image::equal_bins(world(), volume, 256));
   EXPECT_NEAR(equal, f.otsu_256, 6e-6 * f.otsu_256 + 5e-4);
   EXPECT_NEAR(image::fraction_above(world(), volume, equal), f.fraction_256, 6e-7);
-  const image::LabelVolume labels = image::threshold_labels(volume, threshold);
+  const voxels::LabelVolume labels = image::threshold_labels(volume, threshold);
   expect_objects(labels, image::Connectivity::faces, f.faces);
   expect_objects(labels, image::Connectivity::corners, f.corners);
 }
 
 class RealImages : public ::testing::Test {
  protected:
-  image::IntensityVolume read(const std::string& file, int channel = 0,
-                              const std::string& dataset = "") {
+  voxels::IntensityVolume read(const std::string& file, int channel = 0,
+                               const std::string& dataset = "") {
     image::ImageParameters parameters;
     parameters.file = file;
     parameters.channel = channel;
@@ -90,7 +90,7 @@ class RealImages : public ::testing::Test {
 };
 
 TEST_F(RealImages, EndoBlock) {
-  const image::IntensityVolume volume = read("endo_block.tif");
+  const voxels::IntensityVolume volume = read("endo_block.tif");
   EXPECT_EQ(summary_.voxel_size.source(), "nowhere");
   expect_figures(volume, summary_.type,
                  {{100, 100, 99},
@@ -109,7 +109,7 @@ TEST_F(RealImages, EndoBlock) {
 }
 
 TEST_F(RealImages, ConfocalNucleus) {
-  const image::IntensityVolume volume = read("xyzc_16bit__dna_conf_wf.tif", 0);
+  const voxels::IntensityVolume volume = read("xyzc_16bit__dna_conf_wf.tif", 0);
   // Not the 0.25594 um of the text that was copied along with the image.
   for (std::size_t axis = 0; axis < 2; ++axis)
     EXPECT_NEAR(summary_.voxel_size.um[axis], 0.511878, 5e-7);
@@ -133,7 +133,7 @@ TEST_F(RealImages, ConfocalNucleus) {
 }
 
 TEST_F(RealImages, WideFieldNucleus) {
-  const image::IntensityVolume volume = read("xyzc_16bit__dna_conf_wf.tif", 1);
+  const voxels::IntensityVolume volume = read("xyzc_16bit__dna_conf_wf.tif", 1);
   expect_figures(volume, summary_.type,
                  {{133, 130, 45},
                   608,
@@ -151,7 +151,7 @@ TEST_F(RealImages, WideFieldNucleus) {
 }
 
 TEST_F(RealImages, TissueFromHdf5AndClipped) {
-  image::IntensityVolume volume = read("sample_patch.h5", 0, "raw");
+  voxels::IntensityVolume volume = read("sample_patch.h5", 0, "raw");
   expect_figures(volume, summary_.type,
                  {{200, 200, 64},
                   0,
@@ -189,17 +189,17 @@ TEST_F(RealImages, LabelsFromHdf5) {
   parameters.dataset = "big_label";
   parameters.voxel_size = std::array<double, 3>{1.0, 1.0, 1.0};
   parameters.segmentation.method = image::SegmentationParameters::Method::labels;
-  const image::LabelVolume labels = image::read_labels(world(), parameters, folder_);
+  const voxels::LabelVolume labels = image::read_labels(world(), parameters, folder_);
   const auto fractions = image::volume_fractions(world(), labels);
   EXPECT_EQ(fractions.rbegin()->first, 36);
 }
 
 TEST_F(RealImages, ThePapersSlice) {
-  const image::IntensityVolume volume = read("slice25_vessels.tif");
+  const voxels::IntensityVolume volume = read("slice25_vessels.tif");
   EXPECT_EQ(volume.size, (std::array<std::int64_t, 3>{512, 512, 1}));
   EXPECT_EQ(summary_.voxel_size.um, (std::array<double, 3>{1.05, 1.05, 1.0}));
   EXPECT_EQ(summary_.voxel_size.source(), "ImageJ tags");
-  const image::LabelVolume labels = image::threshold_labels(volume, 127.0);
+  const voxels::LabelVolume labels = image::threshold_labels(volume, 127.0);
   EXPECT_DOUBLE_EQ(image::volume_fractions(world(), labels).at(1), 50760.0 / 262144.0);
   const image::Objects objects(world(), labels, image::Connectivity::faces);
   EXPECT_EQ(objects.count(), 75);

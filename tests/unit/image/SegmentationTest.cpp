@@ -40,7 +40,7 @@ TEST(Segmentation, ThresholdIsStrict) {
       parameters_for("ramp.tif", {Kind::unsigned_integer, 1}, ramp, {10, 8, 5});
   parameters.segmentation.method = Method::threshold;
   parameters.segmentation.threshold = 40.0;
-  const image::LabelVolume labels = image::read_labels(world, parameters, folder());
+  const voxels::LabelVolume labels = image::read_labels(world, parameters, folder());
   EXPECT_EQ(labels.voxel_size, (std::array<double, 3>{1.0, 1.0, 2.0}));
   std::size_t voxel = 0;
   for (std::int64_t z = 0; z < labels.planes; ++z) {
@@ -68,7 +68,7 @@ TEST(Segmentation, LabelsAreTheValuesAndMinusOneIsEmptySpace) {
       parameters_for("labels.tif", {Kind::signed_integer, 4}, labels_of, {7, 4, 3});
   parameters.segmentation.method = Method::labels;
   image::ImageSummary summary;
-  const image::LabelVolume labels = image::read_labels(world, parameters, folder(), &summary);
+  const voxels::LabelVolume labels = image::read_labels(world, parameters, folder(), &summary);
   EXPECT_EQ(summary.type.name(), "32-bit signed integer");
   const auto fractions = image::volume_fractions(world, labels);
   ASSERT_EQ(fractions.size(), 4u);
@@ -108,7 +108,7 @@ TEST(Segmentation, RegionSmoothingAndSmallObjects) {
       parameters_for("blocks.tif", {Kind::unsigned_integer, 1}, blocks, {16, 16, 10});
   image::ImageSummary summary;
   const auto count = [&] {
-    const image::LabelVolume labels = image::read_labels(world, parameters, folder(), &summary);
+    const voxels::LabelVolume labels = image::read_labels(world, parameters, folder(), &summary);
     std::int64_t ones = 0;
     for (const std::int32_t label : labels.values) ones += label;
     return world.sum(ones);
@@ -184,7 +184,7 @@ TEST(Segmentation, SmoothingFarBeyondTheImageLeavesTheMean) {
   image::ImageParameters parameters;
   parameters.file = std::string(STROMA_SOURCE_DIR) + "/tests/data/cases/smoothing/im.tif";
   image::ImageSummary summary;
-  const image::IntensityVolume whole = image::read_volume(world, parameters, "", summary);
+  const voxels::IntensityVolume whole = image::read_volume(world, parameters, "", summary);
   double sum = 0.0;
   for (const double value : whole.values) sum += value;
   const double mean = world.sum(sum) / static_cast<double>(whole.voxels());

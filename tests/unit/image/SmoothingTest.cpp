@@ -14,7 +14,7 @@
 namespace stroma::test {
 namespace {
 
-using image::IntensityVolume;
+using voxels::IntensityVolume;
 using Size = std::array<std::int64_t, 3>;
 
 template <class Value>

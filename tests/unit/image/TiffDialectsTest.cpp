@@ -85,16 +85,16 @@ std::string tiff_of(std::int64_t width, std::int64_t height, int bits, const std
   return "II" + number(42, 2) + number(start, 4) + values + directory + number(0, 4) + behind;
 }
 
-image::IntensityVolume read_bytes_as(const std::string& name, const std::string& bytes) {
+voxels::IntensityVolume read_bytes_as(const std::string& name, const std::string& bytes) {
   on_root([&] { write_bytes(folder() + "/" + name, bytes); });
   return read_back(file(name), summary);
 }
 
-image::Statistics statistics_of(const image::IntensityVolume& volume) {
+image::Statistics statistics_of(const voxels::IntensityVolume& volume) {
   return image::statistics(base::Communicator::world(), volume);
 }
 
-double fraction_above(const image::IntensityVolume& volume, double threshold) {
+double fraction_above(const voxels::IntensityVolume& volume, double threshold) {
   return image::fraction_above(base::Communicator::world(), volume, threshold);
 }
 
@@ -180,7 +180,7 @@ TEST(TiffDialects, FramesOfTheCase) {
 }
 
 TEST(TiffDialects, PlanesOfATileBehindOneDirectory) {
-  const image::IntensityVolume volume =
+  const voxels::IntensityVolume volume =
       read_back(case_file("tiff_planes_in_one_ifd/volumetric.tif"), summary);
   expect_pattern(volume, {16, 16, 16}, [](auto x, auto y, auto z, auto) {
     return static_cast<double>((256 * z + 16 * y + x) % 251);
@@ -257,7 +257,7 @@ TEST(TiffDialects, BytesBehindTheOnlyPageAreSaid) {
 }
 
 TEST(TiffDialects, ImageJCalibratesValues) {
-  const image::IntensityVolume signed_values =
+  const voxels::IntensityVolume signed_values =
       read_back(case_file("imagej_calibration/signed.tif"), summary);
   const image::Statistics statistics = statistics_of(signed_values);
   EXPECT_EQ(statistics.min, -1000.0);
@@ -289,7 +289,7 @@ TEST(TiffDialects, WhatLooksOtherwiseIsSaid) {
   for (const auto& [name, words] :
        {std::make_pair("photometric/miniswhite.tif", "0 is white in this file (MinIsWhite)"),
         std::make_pair("photometric/palette.tif", "indices into the file's table of colours")}) {
-    const image::IntensityVolume volume = read_back(case_file(name), summary);
+    const voxels::IntensityVolume volume = read_back(case_file(name), summary);
     EXPECT_EQ(fraction_above(volume, 127.0), 0.75);  // as stored
     EXPECT_TRUE(has_note(summary, words)) << name;
   }
@@ -340,7 +340,7 @@ TEST(TiffDialects, TilesFarLargerThanTheImage) {
 
 TEST(TiffDialects, WellCompressedMasks) {
   if (TIFFIsCODECConfigured(COMPRESSION_ZSTD)) {
-    const image::IntensityVolume mask =
+    const voxels::IntensityVolume mask =
         read_back(case_file("compressed_well/mask_zstd.tif"), summary);
     EXPECT_EQ(std::llround(fraction_above(mask, 127.0) * static_cast<double>(mask.voxels())), 1600);
   }

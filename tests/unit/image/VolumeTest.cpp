@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 namespace stroma::test {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 TEST(Volume, SlabsCoverAllPlanesOnceAndOwnersAgree) {
   for (const std::int64_t planes : {1, 2, 3, 7, 52}) {
     for (const int ranks : {1, 2, 3, 4, 9}) {
-      const image::Slabs slabs(planes, ranks);
+      const voxels::Slabs slabs(planes, ranks);
       std::int64_t next = 0;
       for (int rank = 0; rank < ranks; ++rank) {
         EXPECT_EQ(slabs.first(rank), next);
@@ -28,13 +28,13 @@ TEST(Volume, SlabsCoverAllPlanesOnceAndOwnersAgree) {
 
 TEST(Volume, EachRankExtractsABoxOfItsOwn) {
   const base::Communicator world = base::Communicator::world();
-  image::LabelVolume volume(world, {6, 5, 9}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume volume(world, {6, 5, 9}, {1.0, 1.0, 1.0});
   for (std::size_t i = 0; i < volume.values.size(); ++i)
     volume.values[i] =
         static_cast<std::int32_t>(i) + static_cast<std::int32_t>(volume.first_plane * 30);
   const std::int64_t r = world.rank();
-  image::Box box{{r % 3, 1, r % 4}, {3, 3, 9 - r % 4 - r % 2}};
-  const std::vector<std::int32_t> values = image::extract(world, volume, box);
+  voxels::Box box{{r % 3, 1, r % 4}, {3, 3, 9 - r % 4 - r % 2}};
+  const std::vector<std::int32_t> values = voxels::extract(world, volume, box);
   ASSERT_EQ(static_cast<std::int64_t>(values.size()), box.voxels());
   std::size_t at = 0;
   for (std::int64_t z = 0; z < box.count[2]; ++z) {
@@ -46,8 +46,8 @@ TEST(Volume, EachRankExtractsABoxOfItsOwn) {
   }
   // An empty box for all but rank 0, and one for all.
   if (r != 0) box.count = {0, 3, 3};
-  EXPECT_EQ(static_cast<std::int64_t>(image::extract(world, volume, box).size()), box.voxels());
-  EXPECT_TRUE(image::extract(world, volume, image::Box{}).empty());
+  EXPECT_EQ(static_cast<std::int64_t>(voxels::extract(world, volume, box).size()), box.voxels());
+  EXPECT_TRUE(voxels::extract(world, volume, voxels::Box{}).empty());
 }
 
 }  // namespace

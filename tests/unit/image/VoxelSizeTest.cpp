@@ -8,7 +8,7 @@
 #include "WriteFiles.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/image/ReadVolume.hpp"
-#include "stroma/image/volume/LengthUnit.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 
 namespace stroma::test {
 namespace {

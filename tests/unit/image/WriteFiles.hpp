@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
-#include "stroma/image/volume/ImageSummary.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
 
 namespace stroma::test {
 

@@ -178,7 +178,7 @@ TEST(PatchTest, VoxelsAcrossElementsKeepTheStateUniform) {
   specimen.voxels_per_element = {2, 2, 2};
   specimen.layout = {particles::Layout::voxel_centers, 1, 2};
   specimen.conditions = test::clamped(0.1);
-  image::LabelVolume labels(world(), {9, 8, 8}, {6 * 2.1 / 9, 2.1 / 2, 1.0});
+  voxels::LabelVolume labels(world(), {9, 8, 8}, {6 * 2.1 / 9, 2.1 / 2, 1.0});
   const grid::Grid grid = specimen.grid();
   const auto partition = grid::Partition::balanced(grid, world().size(),
                                                    particles::layer_weights(world(), grid, labels));

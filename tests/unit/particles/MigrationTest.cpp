@@ -30,7 +30,7 @@ grid::Grid body() {
 
 Particles<grid::Device> seeded() {
   const grid::Grid grid = body();
-  image::LabelVolume labels(all_ranks(), {10, 8, 12}, {1.0, 0.75, 0.5});
+  voxels::LabelVolume labels(all_ranks(), {10, 8, 12}, {1.0, 0.75, 0.5});
   const auto partition =
       grid::Partition::balanced(grid, all_ranks().size(), layer_weights(all_ranks(), grid, labels));
   auto particles = seed(all_ranks(), {Layout::per_element, 1, 2}, partition, labels, {{0, 0}});

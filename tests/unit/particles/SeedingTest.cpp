@@ -27,13 +27,13 @@ std::int32_t stripes(std::int64_t i, std::int64_t j, std::int64_t k) {
   return static_cast<std::int32_t>((i + 2 * j + 3 * k) % 4) - 1;  // -1 (empty), 0, 1, 2
 }
 
-image::LabelVolume striped(const base::Communicator& communicator, const grid::Grid& grid,
-                           const std::array<std::int64_t, 3>& voxels) {
+voxels::LabelVolume striped(const base::Communicator& communicator, const grid::Grid& grid,
+                            const std::array<std::int64_t, 3>& voxels) {
   std::array<double, 3> size;
   for (int d = 0; d < 3; ++d)
     size[static_cast<std::size_t>(d)] =
         grid.length(d) / static_cast<double>(voxels[static_cast<std::size_t>(d)]);
-  image::LabelVolume labels(communicator, voxels, size);
+  voxels::LabelVolume labels(communicator, voxels, size);
   std::size_t n = 0;
   for (std::int64_t k = 0; k < labels.planes; ++k)
     for (std::int64_t j = 0; j < voxels[1]; ++j)
@@ -52,7 +52,7 @@ struct Sums {
 
 Sums sums_of(const base::Communicator& communicator, const ParticleParameters& layout,
              const grid::Grid& grid, const std::array<std::int64_t, 3>& voxels) {
-  const image::LabelVolume labels = striped(communicator, grid, voxels);
+  const voxels::LabelVolume labels = striped(communicator, grid, voxels);
   const auto partition = grid::Partition::balanced(grid, communicator.size(),
                                                    layer_weights(communicator, grid, labels));
   const auto particles = seed(communicator, layout, partition, labels, materials);
@@ -135,7 +135,7 @@ TEST(Seeding, VolumeIsThatOfTheVoxelsThatAreNotEmpty) {
 // all of them must refuse.
 TEST(Seeding, ALabelWithoutMaterialIsAnInputErrorOnAllRanks) {
   const grid::Grid grid = grid_of({4, 4, 4}, {1.0, 1.0, 1.0});
-  image::LabelVolume labels(all_ranks(), {4, 4, 4}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume labels(all_ranks(), {4, 4, 4}, {1.0, 1.0, 1.0});
   if (labels.planes > 0 && labels.first_plane + labels.planes == 4) labels.values.back() = 7;
   const auto partition =
       grid::Partition::balanced(grid, all_ranks().size(), layer_weights(all_ranks(), grid, labels));
@@ -151,7 +151,7 @@ TEST(Seeding, ALabelWithoutMaterialIsAnInputErrorOnAllRanks) {
 
 TEST(Seeding, AnEmptyImageHasNoParticles) {
   const grid::Grid grid = grid_of({4, 4, 4}, {1.0, 1.0, 1.0});
-  image::LabelVolume labels(all_ranks(), {4, 4, 4}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume labels(all_ranks(), {4, 4, 4}, {1.0, 1.0, 1.0});
   for (auto& label : labels.values) label = -1;
   std::array<std::vector<double>, 3> even;
   for (auto& weights : even) weights.assign(4, 1.0);
@@ -161,7 +161,7 @@ TEST(Seeding, AnEmptyImageHasNoParticles) {
 
 TEST(Seeding, LayerWeightsCountTheVoxelsOfEachLayer) {
   const grid::Grid grid = grid_of({2, 3, 4}, {2.0, 2.0, 2.0});
-  image::LabelVolume labels(all_ranks(), {4, 6, 8}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume labels(all_ranks(), {4, 6, 8}, {1.0, 1.0, 1.0});
   std::size_t n = 0;
   for (std::int64_t k = 0; k < labels.planes; ++k)
     for (std::int64_t j = 0; j < 6; ++j)
@@ -175,7 +175,7 @@ TEST(Seeding, LayerWeightsCountTheVoxelsOfEachLayer) {
 
 TEST(Seeding, LayerWeightsShareTheVoxelsThatLayersCut) {
   const grid::Grid grid = grid_of({2, 8, 1}, {1.5, 0.25, 1.0});
-  const image::LabelVolume labels(all_ranks(), {3, 2, 1}, {1.0, 1.0, 1.0});
+  const voxels::LabelVolume labels(all_ranks(), {3, 2, 1}, {1.0, 1.0, 1.0});
   const auto weights = layer_weights(all_ranks(), grid, labels);
   EXPECT_EQ(weights[0], (std::vector<double>{3, 3}));
   EXPECT_EQ(weights[1], std::vector<double>(8, 0.75));

@@ -107,7 +107,7 @@ bool ReferenceCase::is_vessel(std::int64_t element, int point) const {
 }
 
 void ReferenceCase::write_labels(const fs::path& path) const {
-  image::Volume<std::uint8_t> labels(
+  voxels::Volume<std::uint8_t> labels(
       base::Communicator::self(), {2 * elements_[0], 2 * elements_[1], 2 * elements_[2]},
       {element_size_[0] / 2, element_size_[1] / 2, element_size_[2] / 2});
   const std::int64_t elements = elements_[0] * elements_[1] * elements_[2];

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "stroma/base/Error.hpp"
 #include "stroma/particles/Fields.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
@@ -148,6 +149,12 @@ TEST(StiffnessField, MovesWithItsParticles) {
   };
   EXPECT_EQ(forces_of(with_a_field(specimen, law).moving_body()),
             forces_of(with_two_materials(specimen, law).moving_body()));
+}
+
+TEST(StiffnessField, IsRefusedWhereNoLawReadsIt) {
+  Body body = with_a_field(bars(), material::NeoHookean{soft, 2000.0});
+  body.problem.laws = LawList{{material::NeoHookean{soft, 2000.0}}};
+  EXPECT_THROW(body.balance(), base::InputError);
 }
 
 }  // namespace

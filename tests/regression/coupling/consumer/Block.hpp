@@ -25,7 +25,7 @@ inline std::unique_ptr<stroma::mechanics::MomentumBalance> make_block() {
   grid::Grid grid;
   grid.elements = {4, 4, 4};
   grid.spacing = {2.1, 2.1, 2.0};
-  const image::LabelVolume labels(world, {8, 8, 8}, {1.05, 1.05, 1.0});
+  const voxels::LabelVolume labels(world, {8, 8, 8}, {1.05, 1.05, 1.0});
   const auto partition =
       grid::Partition::balanced(grid, world.size(), particles::layer_weights(world, grid, labels));
   particles::ParticleParameters layout;

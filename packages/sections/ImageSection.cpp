@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "stroma/image/ImageSection.hpp"
+#include "stroma/sections/ImageSection.hpp"
 
 #include <algorithm>
 
-namespace stroma::image {
+namespace stroma::sections {
+
+using namespace image;
+
 namespace {
 
 using deck::any;
@@ -194,4 +197,4 @@ deck::Section<ImageParameters> image_section() {
   return section;
 }
 
-}  // namespace stroma::image
+}  // namespace stroma::sections

@@ -14,7 +14,7 @@
 
 #include "stroma/base/Communicator.hpp"
 
-namespace stroma::image {
+namespace stroma::voxels {
 
 /// A box of voxels: first voxel and number of voxels along x, y, z.
 struct Box {
@@ -88,4 +88,4 @@ template <class T>
 std::vector<T> extract(const base::Communicator& communicator, const Volume<T>& volume,
                        const Box& wanted);
 
-}  // namespace stroma::image
+}  // namespace stroma::voxels

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "stroma/image/volume/Volume.hpp"
+#include "stroma/voxels/Volume.hpp"
 
 #include <algorithm>
 
 #include "stroma/base/Log.hpp"
 
-namespace stroma::image {
+namespace stroma::voxels {
 namespace {
 
 /// The part of a box that lies in the planes [first, first + count).
@@ -116,4 +116,4 @@ template std::vector<std::int64_t> extract(const base::Communicator&, const Volu
 template std::vector<float> extract(const base::Communicator&, const Volume<float>&, const Box&);
 template std::vector<double> extract(const base::Communicator&, const Volume<double>&, const Box&);
 
-}  // namespace stroma::image
+}  // namespace stroma::voxels

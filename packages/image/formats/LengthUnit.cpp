@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "stroma/image/volume/LengthUnit.hpp"
+#include "stroma/image/formats/LengthUnit.hpp"
 
 #include <cctype>
 #include <cstdio>

@@ -3,9 +3,10 @@
 #pragma once
 
 /// \file
-/// The deck section "Output".
+/// What a run writes, and how often.
 
-#include "stroma/deck/Section.hpp"
+#include <cstdint>
+
 #include "stroma/output/files/ExodusFile.hpp"
 #include "stroma/output/pictures/RasterPlot.hpp"
 
@@ -20,8 +21,6 @@ struct OutputParameters {
   bool pictures = true;
   Origin origin = Origin::Top;  ///< of y, in pictures
 };
-
-deck::Section<OutputParameters> output_section();
 
 /// Whether a step is to be written, when every n-th is. Step 0 is written as the others are: it is
 /// a multiple of every n, but not the last step.

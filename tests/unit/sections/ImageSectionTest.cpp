@@ -7,7 +7,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/deck/Document.hpp"
-#include "stroma/image/ImageSection.hpp"
+#include "stroma/sections/ImageSection.hpp"
 
 namespace stroma::test {
 namespace {
@@ -18,7 +18,7 @@ struct Root {
 
 Root read(const std::string& image) {
   deck::Section<Root> root("Stroma", "A test.");
-  root.required_section(image::image_section(), &Root::image);
+  root.required_section(sections::image_section(), &Root::image);
   return deck::read(deck::parse("Stroma:\n  Image:\n" + image, deck::Format::yaml, "deck.yaml"),
                     root);
 }

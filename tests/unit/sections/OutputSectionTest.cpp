@@ -7,7 +7,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/deck/Document.hpp"
-#include "stroma/output/OutputSection.hpp"
+#include "stroma/sections/OutputSection.hpp"
 
 namespace stroma {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 output::OutputParameters read(const std::string& parameter) {
   const auto document = deck::parse(
       "<ParameterList name=\"Output\">" + parameter + "</ParameterList>", deck::Format::xml);
-  return deck::read(document, output::output_section());
+  return deck::read(document, sections::output_section());
 }
 
 TEST(OutputSection, HasTheDefaultsOfTheContract) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "stroma/output/OutputSection.hpp"
+#include "stroma/sections/OutputSection.hpp"
 
-namespace stroma::output {
+namespace stroma::sections {
+
+using namespace output;
 
 deck::Section<OutputParameters> output_section() {
   deck::Section<OutputParameters> section("Output",
@@ -29,4 +31,4 @@ deck::Section<OutputParameters> output_section() {
   return section;
 }
 
-}  // namespace stroma::output
+}  // namespace stroma::sections

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "stroma/image/volume/ImageSummary.hpp"
+#include "stroma/image/formats/ImageSummary.hpp"
 
 #include <vector>
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/FieldFiles.hpp"
+
+#include <algorithm>
+
+#include "run/HomeOrder.hpp"
+#include "run/MovingSupports.hpp"
+#include "run/ShownFields.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/mechanics/body/Lattice.hpp"
+#include "stroma/output/files/DeckFile.hpp"
+
+namespace stroma {
+
+FieldFiles::FieldFiles(const base::Communicator& communicator, const Deck& deck,
+                       const Specimen& specimen, const output::RunFolder& folder)
+    : communicator_(communicator),
+      deck_(&deck),
+      specimen_(&specimen),
+      folder_(folder),
+      conditions_(names(deck.parameters.boundary_conditions.conditions)),
+      materials_(names(deck.parameters.materials.materials)),
+      provenance_{deck.parameters.title, output::library_versions().front().second, deck.text} {}
+
+void FieldFiles::write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
+                           const grid::Vector& u) {
+  const auto& when = deck_->parameters.output;
+  if (output::is_due(row.step, when.particles_every, false)) write_particles(row, balance, u);
+  if (output::is_due(row.step, when.grid_every, false)) write_grid(row, balance, u);
+}
+
+void FieldFiles::write_last(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
+                            const grid::Vector& u) {
+  if (particles_step_ != row.step) write_particles(row, balance, u);
+  if (grid_step_ != row.step) write_grid(row, balance, u);
+}
+
+std::string FieldFiles::on_disk() const {
+  const auto up_to = [](const char* file, std::int64_t step) {
+    return step < 0 ? "" : base::format(", %s to step %lld", file, static_cast<long long>(step));
+  };
+  return up_to("particles.e", particles_step_) +
+         up_to(grid_files_ > 1 ? "the grid.e files" : "grid.e", grid_step_);
+}
+
+output::ParticleSet FieldFiles::particle_set() const {
+  const auto& particles = specimen_->particles;
+  return {particles.count(), particles.position.data(), particles.volume.data(),
+          particles.id.data(), particles.material.data()};
+}
+
+namespace {
+
+/// \param first  of the shown values: the particle that the fields begin with
+output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields,
+                               const std::vector<ShownValues>& shown, int first = 0) {
+  output::ParticleState state{fields.displacement.data(), fields.stress.data(),
+                              fields.jacobian.data(), fields.energy.data()};
+  for (const ShownValues& one : shown) state.fields.push_back(one.values.data() + first);
+  return state;
+}
+
+}  // namespace
+
+output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance,
+                                       const grid::Vector& u) const {
+  auto shown = shown_fields(communicator_, balance.body().particles());
+  if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
+    const int count = specimen_->particles.count();
+    const HomeOrder home(communicator_, balance.body().particles(), count);
+    const transfer::ParticleFields<grid::Device> here = balance.body().particle_fields(u);
+    transfer::ParticleFields<grid::Device> fields(0);
+    transfer::for_each_result([&](auto& at_home, const auto& view) { at_home = home(view); },
+                              fields, here);
+    for (ShownValues& one : shown) one.values = home(one.values);
+    return [fields, shown, count](const auto& use) {  // they live as long as the pieces may be
+      output::in_one_piece(count, state_of(fields, shown))(use);  // asked for
+    };
+  }
+  return [layers = balance.body().field_layers(u), shown](const auto& use) {
+    layers([&](int first, const transfer::ParticleFields<grid::Device>& fields) {
+      use(first, static_cast<std::int64_t>(fields.jacobian.extent(0)),
+          state_of(fields, shown, first));
+    });
+  };
+}
+
+void FieldFiles::write_particles(const output::HistoryRow& row,
+                                 const mechanics::MomentumBalance& balance, const grid::Vector& u) {
+  const base::Stage stage("output");
+  if (!particle_file_) {
+    std::vector<output::ShownField> fields;
+    for (const ShownValues& one : shown_fields(communicator_, balance.body().particles()))
+      fields.push_back(one.field);
+    particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
+                           output::history_columns(conditions_, materials_), provenance_,
+                           deck_->parameters.output.precision, fields);
+  }
+  particle_file_->write(row.load, particle_set(), states(balance, u), output::history_values(row));
+  particles_step_ = row.step;
+}
+
+void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
+                                const grid::Partition& partition) {
+  const grid::Grid& grid = partition.grid();
+  const grid::Box elements = partition.elements(communicator_.rank());
+  const auto filled = balance.body().filled_elements(partition);
+  output::GridPart part;
+  part.elements = grid.elements;
+  part.first_element = elements.begin;
+  for (int d = 0; d < 3; ++d) part.element_count[d] = elements.extent(d);
+  part.origin = grid.origin;
+  part.spacing = grid.spacing;
+  part.active = filled.data();
+  grid_file_.emplace(communicator_, folder_.grid(++grid_files_), part, provenance_,
+                     deck_->parameters.output.precision);
+}
+
+void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
+                            const grid::Vector& u) {
+  const base::Stage stage("output");
+  const grid::Vector& force = *balance.forces(u).unbalanced;
+  // The file's nodes are those of the lattice, whatever the shape functions.
+  const auto lattice = balance.halo().partition().grid().width == 2
+                           ? std::nullopt
+                           : std::make_optional<mechanics::Lattice>(balance.halo());
+  const grid::Halo& halo = lattice ? lattice->halo() : balance.halo();
+  grid::Vector displacement_at_nodes(halo.owned_map()), force_at_nodes(halo.owned_map());
+  if (lattice) {
+    lattice->values_at_nodes(u, displacement_at_nodes);
+    lattice->forces_at_nodes(force, force_at_nodes);
+  }
+  // A grid that is reset has other elements in each step, and so a file of its own.
+  if (!grid_file_ || deck_->parameters.grid.reset) open_grid_file(balance, halo.partition());
+  const auto gathered = [&](const grid::Vector& vector, double share) {
+    const grid::ConstNodeView view = halo.gather(vector);
+    std::vector<double> values(view.data(), view.data() + view.size());
+    if (halo.partition().grid().flat) {  // the file's element has its two layers of nodes
+      for (double& value : values) value *= share;
+      values.resize(2 * view.size());
+      std::copy_n(values.begin(), view.size(),
+                  values.begin() + static_cast<std::ptrdiff_t>(view.size()));
+    }
+    return values;
+  };
+  const std::vector<double> displacement = gathered(lattice ? displacement_at_nodes : u, 1.0);
+  const std::vector<double> residual = gathered(lattice ? force_at_nodes : force, 0.5);
+  grid_file_->write(row.load, displacement.data(), residual.data());
+  grid_step_ = row.step;
+}
+
+}  // namespace stroma

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// The files of fields of one run: particles.e and grid.e.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/Deck.hpp"
+#include "run/Specimen.hpp"
+#include "stroma/mechanics/MomentumBalance.hpp"
+#include "stroma/output/files/GridFile.hpp"
+#include "stroma/output/files/History.hpp"
+#include "stroma/output/files/ParticleFile.hpp"
+#include "stroma/output/files/RunFolder.hpp"
+
+namespace stroma {
+
+/// Writes particles.e, grid.e and, on a grid that is reset, a file of the grid for each step; each
+/// is opened when it is first written. All but on_disk() and particle_set() is collective.
+class FieldFiles {
+ public:
+  FieldFiles(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
+             const output::RunFolder& folder);
+
+  /// Writes an accepted step, as often as the deck asks.
+  void write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
+                 const grid::Vector& u);
+  /// Writes the last accepted step where it was not due.
+  void write_last(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
+                  const grid::Vector& u);
+  /// ", particles.e to step 3, grid.e to step 2": what there is so far.
+  std::string on_disk() const;
+
+  /// The particles at home, in the order of the files.
+  output::ParticleSet particle_set() const;
+  /// The particles' states in that order, good until the balance is used again.
+  output::StatePieces states(const mechanics::MomentumBalance& balance,
+                             const grid::Vector& u) const;
+
+ private:
+  void write_particles(const output::HistoryRow& row, const mechanics::MomentumBalance& balance,
+                       const grid::Vector& u);
+  void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
+  void write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
+                  const grid::Vector& u);
+
+  base::Communicator communicator_;
+  const Deck* deck_;
+  const Specimen* specimen_;
+  output::RunFolder folder_;
+  std::vector<std::string> conditions_, materials_;
+  output::Provenance provenance_;
+  std::optional<output::ParticleFile> particle_file_;
+  std::optional<output::GridFile> grid_file_;
+  int grid_files_ = 0;
+  std::int64_t particles_step_ = -1, grid_step_ = -1;  ///< last ones written
+};
+
+}  // namespace stroma
