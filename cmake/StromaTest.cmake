@@ -3,8 +3,9 @@
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
 # folder, with tests/data in it, in STROMA_SOURCE_DIR.
-# Where Trilinos has threads, it is run on 1 rank with each of THREADS (default: 1 2) threads, and, if it is for
-# several ranks, on 2 ranks of 2 threads. The targets unit_tests, verification_tests and regression_tests build all of a kind.
+# Where Trilinos has threads, those tests are run that name THREADS: what they test runs kernels. They are run on 1 rank
+# with each of these numbers of threads, and, if they are for several ranks, on 2 ranks of 2 threads. The targets unit_tests,
+# verification_tests and regression_tests build all of a kind that is run.
 set(STROMA_TEST_ENVIRONMENT
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
@@ -38,9 +39,6 @@ function(stroma_test name)
   if(NOT arg_RANKS)
     set(arg_RANKS 1)
   endif()
-  if(NOT arg_THREADS)
-    set(arg_THREADS 1 2)
-  endif()
   set(target test_${arg_LABEL}_${name})
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE stroma_test_main stroma_options ${arg_LIBRARIES})
@@ -51,6 +49,10 @@ function(stroma_test name)
     ${target} PRIVATE STROMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     STROMA_EXECUTABLE="${PROJECT_BINARY_DIR}/bin/stroma")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(STROMA_NEEDS_OPENMP AND NOT arg_THREADS)
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+    return()
+  endif()
   add_dependencies(${arg_LABEL}_tests ${target})
   foreach(ranks IN LISTS arg_RANKS)
     if(NOT STROMA_NEEDS_OPENMP)

@@ -42,21 +42,21 @@ if [[ ${#targets[@]} -eq 0 ]]; then
 fi
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 mkdir -p build/fuzz/crashes build/fuzz/logs
-failed=0
-for target in "${targets[@]}"; do
-  corpus=build/fuzz/corpus/$target
-  log=build/fuzz/logs/$target.log
+# One target: a line of what it did, and of a crash its messages.
+run() {
+  local target=$1 corpus=build/fuzz/corpus/$1 log=build/fuzz/logs/$1.log result=clean
   mkdir -p "$corpus"
-  result=clean
   # An input that takes longer than 10 s, or more than 1 GB, counts as a crash.
   "build/fuzz/fuzz/$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len=16384 \
     -artifact_prefix="build/fuzz/crashes/$target-" -print_final_stats=1 "$corpus" "tests/fuzz/seeds/$target" \
     >"$log" 2>&1 || result=CRASHED
-  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-  printf '%-20s %12s executions in %s s: %s\n' "$target" "${executions:-?}" "$seconds" "$result"
-  if [[ $result != clean ]]; then
-    failed=1
-    grep -E -A 12 'ERROR|SUMMARY|ALARM' "$log" | head -n 40 || tail -n 20 "$log"
-  fi
-done
-exit $failed
+  printf '%-20s %12s executions in %s s: %s\n' "$target" \
+    "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" "$seconds" "$result"
+  [[ $result == clean ]] && return
+  grep -E -A 12 'ERROR|SUMMARY|ALARM' "$log" | head -n 40 || tail -n 20 "$log"
+  return 1
+}
+export -f run
+export seconds
+# xargs ends with 123 where one of them did with 1. As many at once as there are processors.
+printf '%s\n' "${targets[@]}" | xargs -P "$(nproc)" -I '{}' bash -c 'run {}' || exit 1
