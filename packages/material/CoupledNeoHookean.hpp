@@ -27,10 +27,7 @@ struct CoupledNeoHookean {
   static void declare(Parameters& parameters) {
     parameters.number("Shear Modulus [Pa]", &CoupledNeoHookean::shear_modulus, Range::positive(),
                       "Shear modulus mu.");
-    parameters.number_or_poisson_ratio(
-        "Lame Modulus [Pa]", &CoupledNeoHookean::lame_modulus, Range::any(),
-        [](double mu, double nu) { return 2.0 * mu * nu / (1.0 - 2.0 * nu); },
-        "Lame's modulus lambda = 2 mu nu / (1 - 2 nu).");
+    declare_lame_modulus(parameters, &CoupledNeoHookean::lame_modulus);
   }
 
   using Tangent = IsotropicTangent;

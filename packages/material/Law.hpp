@@ -33,6 +33,8 @@
 ///     // only of a law whose stiffness may differ from particle to particle: the same material with
 ///     // this mu of small strain [Pa]; all moduli in proportion, so that Poisson's ratio stays
 ///     L with_shear_modulus(double mu) const;
+///     // only of a law without an energy of volume, U = 0, which admits no mean dilatation
+///     static constexpr bool has_energy_of_volume = false;
 ///     // only of a law that remembers: its numbers of history and those that a particle has by now,
 ///     // of the last accepted step and zeros before the first; energies and stresses may read them
 ///     static constexpr int states = ...;
@@ -88,6 +90,14 @@ constexpr bool may_vary_in_stiffness = false;
 template <class Law>
 constexpr bool may_vary_in_stiffness<
     Law, std::void_t<decltype(std::declval<const Law&>().with_shear_modulus(1.0))>> = true;
+
+/// Whether a law has an energy of volume U, which mean dilatation may average: it has, unless it
+/// says `static constexpr bool has_energy_of_volume = false`.
+template <class Law, class = void>
+constexpr bool has_energy_of_volume = true;
+template <class Law>
+constexpr bool has_energy_of_volume<Law, std::void_t<decltype(Law::has_energy_of_volume)>> =
+    Law::has_energy_of_volume;
 
 /// Gives a law the history of a particle, states_of<Law> numbers.
 template <class Law>

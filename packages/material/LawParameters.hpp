@@ -9,7 +9,8 @@
 ///     declare_bulk_modulus(parameters, &L::bulk_modulus);
 ///     parameters.volumetric_energy(&L::volumetric_energy);
 ///
-/// and the deck's section, its reference and the reader follow. A header of a law needs no deck.
+/// or, of a list, parameters.numbers("C [Pa]", &L::c, &L::terms, Range::any(), "Moduli."), with
+/// double c[n] and int terms; lists of a law have the same length. The deck's section, its reference and the reader follow. A header of a law needs no deck.
 
 #include <limits>
 
@@ -17,16 +18,22 @@
 
 namespace stroma::material {
 
-/// The admissible values of a number: strictly between two.
+/// The admissible values of a number: strictly between two, with or without 0.
 struct Range {
   double lower, upper;
+  bool has_zero = true;
 
   static constexpr Range positive() { return {0.0, std::numeric_limits<double>::infinity()}; }
   static constexpr Range any() {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
+  static constexpr Range not_zero() {
+    Range range = any();
+    range.has_zero = false;
+    return range;
+  }
   constexpr bool operator==(const Range& other) const {
-    return lower == other.lower && upper == other.upper;
+    return lower == other.lower && upper == other.upper && has_zero == other.has_zero;
   }
 };
 
@@ -36,6 +43,15 @@ void declare_bulk_modulus(Parameters& parameters, double Law::*member) {
   parameters.number_or_poisson_ratio(
       "Bulk Modulus [Pa]", member, Range::positive(), bulk_modulus,
       "Bulk modulus K = 2 mu (1 + nu) / (3 (1 - 2 nu)), mu of small strain.");
+}
+
+/// "Lame Modulus [Pa]", in whose place Poisson's ratio may stand.
+template <class Parameters, class Law>
+void declare_lame_modulus(Parameters& parameters, double Law::*member) {
+  parameters.number_or_poisson_ratio(
+      "Lame Modulus [Pa]", member, Range::any(),
+      [](double mu, double nu) { return 2.0 * mu * nu / (1.0 - 2.0 * nu); },
+      "Lame's modulus lambda = 2 mu nu / (1 - 2 nu).");
 }
 
 }  // namespace stroma::material

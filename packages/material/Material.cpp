@@ -8,15 +8,17 @@
 #include "stroma/material/Models.hpp"
 
 namespace stroma::material {
-double largest_poisson_ratio(const NamedMaterials& materials) {
-  double largest = -1.0;
+Compressibility compressibility(const NamedMaterials& materials) {
+  Compressibility all{-1.0};
   for (const auto& [name, m] : materials) {
+    const AnyLaw law = model_of(m).law(m);
     const auto given = m.numbers.find(poisson_ratio_name);
-    largest = std::max(largest, given != m.numbers.end()
-                                    ? given->second
-                                    : model_of(m).law(m).small_strain().poisson_ratio());
+    all.largest_poisson_ratio =
+        std::max(all.largest_poisson_ratio,
+                 given != m.numbers.end() ? given->second : law.small_strain().poisson_ratio());
+    all.may_be_averaged = all.may_be_averaged && law.may_be_averaged();
   }
-  return largest;
+  return all;
 }
 
 std::vector<AnyLaw> laws(const NamedMaterials& materials) {

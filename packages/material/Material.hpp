@@ -24,6 +24,7 @@ struct MaterialParameters {
   /// The model's numbers by their names in the deck, as far as it gives them. Of "Poisson Ratio"
   /// and the modulus that it stands for there is one.
   std::map<std::string, double> numbers;
+  std::map<std::string, std::vector<double>> lists;  ///< its lists of numbers, likewise
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
   std::optional<MaterialFields> fields;
@@ -36,8 +37,14 @@ struct MaterialsParameters {
   NamedMaterials materials;
 };
 
-/// The largest Poisson ratio of the materials in small strain, of at least one.
-double largest_poisson_ratio(const NamedMaterials& materials);
+/// How materials resist a change of volume.
+struct Compressibility {
+  double largest_poisson_ratio;  ///< of small strain
+  bool may_be_averaged = true;   ///< all laws have an energy of volume
+};
+
+/// Of at least one material.
+Compressibility compressibility(const NamedMaterials& materials);
 
 /// The law of each material, by index.
 std::vector<AnyLaw> laws(const NamedMaterials& materials);

@@ -16,6 +16,11 @@ class Describing {
   void number(const char* name, double Law::*, Range admissible, const char* meaning) {
     model_.numbers.push_back({name, meaning, admissible, false});
   }
+  template <int n>
+  void numbers(const char* name, double (Law::*)[n], int Law::*, Range admissible,
+               const char* meaning) {
+    model_.numbers.push_back({name, meaning, admissible, false, n});
+  }
   template <class Convert>
   void number_or_poisson_ratio(const char* name, double Law::*, Range admissible, const Convert&,
                                const char* meaning) {
@@ -36,6 +41,12 @@ class Filling {
 
   void number(const char* name, double Law::*member, Range, const char*) {
     law_.*member = given_.numbers.at(name);
+  }
+  template <int n>
+  void numbers(const char* name, double (Law::*member)[n], int Law::*count, Range, const char*) {
+    const std::vector<double>& list = given_.lists.at(name);
+    std::copy(list.begin(), list.end(), law_.*member);
+    law_.*count = static_cast<int>(list.size());
   }
   template <class Convert>
   void number_or_poisson_ratio(const char* name, double Law::*member, Range,

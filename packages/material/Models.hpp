@@ -13,11 +13,12 @@
 
 namespace stroma::material {
 
-/// One number of a model.
+/// One number of a model, or one list of numbers.
 struct ModelNumber {
   std::string name, meaning;
   Range admissible;
   bool or_poisson_ratio;  ///< "Poisson Ratio" may stand in its place
+  int longest = 0;        ///< of a list, the most numbers that it may have; 0: no list
 };
 
 /// One admissible value of `Model`.

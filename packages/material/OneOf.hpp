@@ -72,6 +72,12 @@ class OneOf {
       return 0;
     });
   }
+  /// Of the law that it is.
+  bool may_be_averaged() const {
+    return visit([](const auto& law) {
+      return material::has_energy_of_volume<std::decay_t<decltype(law)>>;
+    });
+  }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
     return visit([=](const auto& law) { return law.energy_of_volume(log_j); });
   }
@@ -102,6 +108,16 @@ class OneOf {
   alignas(std::max({alignof(Laws)...})) unsigned char storage_[std::max({sizeof(Laws)...})];
   int which_ = 0;
 };
+
+/// Whether mean dilatation may average a law's energy of volume.
+template <class Law>
+bool may_be_averaged(const Law&) {
+  return has_energy_of_volume<Law>;
+}
+template <class... Laws>
+bool may_be_averaged(const OneOf<Laws...>& law) {
+  return law.may_be_averaged();
+}
 
 template <class... Laws>
 KOKKOS_INLINE_FUNCTION void recall(OneOf<Laws...>& law, const double* history) {

@@ -42,7 +42,8 @@ deck::Section<GridParameters> grid_section() {
       "its element. Element Mean keeps nearly incompressible materials from locking, which makes "
       "them far too stiff; B-splines lock little without it (docs/theory.md). Automatic: Element "
       "Mean for Linear, GIMP and CPDI where the Poisson ratio of any material is above 0.45, else, "
-      "and with Deformation Gradient = Projected Displacement, Pointwise.");
+      "with Deformation Gradient = Projected Displacement, and beside a law without an energy "
+      "of volume, Pointwise.");
   section.choice(
       "Deformation Gradient", &GridParameters::deformation_gradient,
       {{"Incremental", DeformationGradient::incremental},

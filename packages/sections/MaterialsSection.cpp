@@ -19,6 +19,7 @@ namespace {
 struct SharedNumber {
   std::string name, models, meaning;
   Range admissible;
+  bool is_list;
 };
 
 std::vector<SharedNumber> shared_numbers() {
@@ -29,7 +30,8 @@ std::vector<SharedNumber> shared_numbers() {
         return other.name == number.name;
       });
       if (same == all.end()) {
-        all.push_back({number.name, model.name, number.meaning, number.admissible});
+        all.push_back(
+            {number.name, model.name, number.meaning, number.admissible, number.longest > 0});
         continue;
       }
       same->models += ", " + model.name;
@@ -41,9 +43,10 @@ std::vector<SharedNumber> shared_numbers() {
 }
 
 deck::Admissible admissible(const Range& range) {
-  return range == Range::positive() ? deck::positive()
-         : range == Range::any()    ? deck::any()
-                                    : deck::strictly_between(range.lower, range.upper);
+  return !range.has_zero ? deck::number_that("other than 0", [](double x) { return x != 0.0; })
+         : range == Range::positive() ? deck::positive()
+         : range == Range::any()      ? deck::any()
+                                      : deck::strictly_between(range.lower, range.upper);
 }
 
 void declare_model(deck::Section<MaterialParameters>& material) {
@@ -55,41 +58,91 @@ void declare_model(deck::Section<MaterialParameters>& material) {
   }
   material.choice("Model", &MaterialParameters::model, names,
                   meaning + ". Ibar1, Ibar2: invariants of J^(-2/3) C.");
-  for (const SharedNumber& number : shared_numbers())
-    material.optional(number.name, &MaterialParameters::numbers, admissible(number.admissible),
-                      "Of " + number.models + ". " + number.meaning);
+  for (const SharedNumber& number : shared_numbers()) {
+    const std::string described = "Of " + number.models + ". " + number.meaning;
+    if (number.is_list)
+      material.optional(number.name, &MaterialParameters::lists, admissible(number.admissible),
+                        described);
+    else
+      material.optional(number.name, &MaterialParameters::numbers, admissible(number.admissible),
+                        described);
+  }
   material.optional(poisson_ratio_name, &MaterialParameters::numbers,
                     deck::strictly_between(-1.0, 0.5),
                     "Poisson's ratio nu of small strain, in place of a model's Bulk Modulus [Pa] "
                     "or Lame Modulus [Pa].");
 }
 
+std::string found(double value, const ModelNumber& number) {
+  return base::format("found %g; admissible: ", value) +
+         admissible(number.admissible).describe(deck::detail::value_type<double>());
+}
+
+/// A number that the model asks for. \return whether it is there
+bool check_number(const MaterialParameters& p, const ModelNumber& number,
+                  deck::Findings& findings) {
+  const auto given = p.numbers.find(number.name);
+  const bool has_ratio = number.or_poisson_ratio && p.numbers.count(poisson_ratio_name) > 0;
+  if (given == p.numbers.end()) {
+    if (has_ratio) return true;
+    const Model& model = model_of(p);
+    findings.add(number.or_poisson_ratio ? poisson_ratio_name : number.name,
+                 number.or_poisson_ratio
+                     ? "missing; give it, or \"" + number.name + "\""
+                     : "missing; Model = " + model.name + " takes " + model.listing());
+    return false;
+  }
+  if (has_ratio)
+    findings.add(number.name,
+                 std::string("given beside \"") + poisson_ratio_name + "\"; give one of the two");
+  if (!admissible(number.admissible).allows(given->second))
+    findings.add(number.name, found(given->second, number));
+  return true;
+}
+
+/// A list that the model asks for, as long as its others. \return whether it is there
+bool check_list(const MaterialParameters& p, const ModelNumber& number,
+                const std::vector<double>*& first, deck::Findings& findings) {
+  const auto given = p.lists.find(number.name);
+  if (given == p.lists.end()) {
+    const Model& model = model_of(p);
+    findings.add(number.name, "missing; Model = " + model.name + " takes " + model.listing());
+    return false;
+  }
+  const std::vector<double>& list = given->second;
+  for (const double value : list)
+    if (!admissible(number.admissible).allows(value))
+      findings.add(number.name, found(value, number));
+  if (list.empty() || list.size() > static_cast<std::size_t>(number.longest)) {
+    findings.add(number.name, base::format("found %zu numbers; admissible: 1 to %d of them",
+                                           list.size(), number.longest));
+    return false;
+  }
+  if (first == nullptr) first = &list;
+  if (first->size() == list.size()) return true;
+  findings.add(number.name,
+               base::format("found %zu numbers; admissible: as many as the model's other list, %zu",
+                            list.size(), first->size()));
+  return false;
+}
+
 /// What a model makes of the numbers that a material gives.
 void check_numbers(const MaterialParameters& p, deck::Findings& findings) {
   const Model& model = model_of(p);
+  const auto refuse_foreign = [&](const auto& given) {
+    for (const auto& [name, value] : given)
+      if (!model.takes(name))
+        findings.add(
+            name, "is no parameter of Model = " + model.name + "; admissible: " + model.listing());
+  };
+  refuse_foreign(p.numbers);
+  refuse_foreign(p.lists);
   bool is_complete = true;
-  for (const auto& [name, value] : p.numbers)
-    if (!model.takes(name))
-      findings.add(name,
-                   "is no parameter of Model = " + model.name + "; admissible: " + model.listing());
-  const bool has_ratio = p.numbers.count(poisson_ratio_name) > 0;
+  const std::vector<double>* first_list = nullptr;
   for (const ModelNumber& number : model.numbers) {
-    const auto given = p.numbers.find(number.name);
-    const bool is_given = given != p.numbers.end();
-    if (is_given && number.or_poisson_ratio && has_ratio)
-      findings.add(number.name,
-                   std::string("given beside \"") + poisson_ratio_name + "\"; give one of the two");
-    if (!is_given && !(number.or_poisson_ratio && has_ratio)) {
-      is_complete = false;
-      findings.add(number.or_poisson_ratio ? poisson_ratio_name : number.name,
-                   number.or_poisson_ratio
-                       ? "missing; give it, or \"" + number.name + "\""
-                       : "missing; Model = " + model.name + " takes " + model.listing());
-    }
-    const deck::Admissible rule = admissible(number.admissible);
-    if (is_given && !rule.allows(given->second))
-      findings.add(number.name, base::format("found %g; admissible: ", given->second) +
-                                    rule.describe(deck::detail::value_type<double>()));
+    const bool is_there = number.longest > 0 ? check_list(p, number, first_list, findings)
+                                             : check_number(p, number, findings);
+    is_complete = is_complete && is_there;
   }
   if (!model.has_volumetric_energy && p.volumetric_energy != VolumetricEnergy::logarithmic)
     findings.add("Volumetric Energy", "Model = " + model.name + " has its own energy of volume");

@@ -36,7 +36,7 @@ double contrast(const mechanics::MomentumBalance& balance) {
 }  // namespace
 
 Circumstances circumstances(const SolverParameters& solver, const mechanics::GridParameters& grid,
-                            double largest_poisson_ratio,
+                            const material::Compressibility& of_volume,
                             const mechanics::MomentumBalance& balance) {
   Circumstances known;
   known.contrast = contrast(balance);
@@ -44,7 +44,7 @@ Circumstances circumstances(const SolverParameters& solver, const mechanics::Gri
       takes_stencil(solver.preconditioner, balance.halo().partition().grid());
   known.barely_filled = mechanics::count_barely_filled(balance);
   known.stabilization = balance.problem().method.stabilization;
-  known.locking = mechanics::locking_note(grid, largest_poisson_ratio);
+  known.locking = mechanics::locking_note(grid, of_volume);
   const mechanics::Supports& supports = balance.supports();
   known.pieces = supports.pieces().count - supports.pieces().carried;
   known.has_free_motion = !supports.rigid_holds().empty();

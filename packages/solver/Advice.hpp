@@ -29,10 +29,10 @@ struct Circumstances {
 /// Collective.
 /// \param solver                 the deck's section
 /// \param grid                   the deck's section
-/// \param largest_poisson_ratio  of the materials [-]
+/// \param of_volume  how the materials resist a change of volume
 /// \param balance                the body as it stands
 Circumstances circumstances(const SolverParameters& solver, const mechanics::GridParameters& grid,
-                            double largest_poisson_ratio,
+                            const material::Compressibility& of_volume,
                             const mechanics::MomentumBalance& balance);
 
 /// Names the preconditioner for a contrast above 1e6, which a tangent in single precision may not

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "stroma/deck/PlainText.hpp"
+#include "stroma/material/Models.hpp"
 #include "stroma/sections/BoundaryConditionsSection.hpp"
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
@@ -43,6 +44,17 @@ void refuse_fields_without_intensities(const DeckParameters& p, deck::Findings& 
         findings.add("Materials|" + name + "|Fields|" + field.first, reason);
 }
 
+/// A mean dilatation asks for laws with an energy of volume.
+void refuse_mean_without_energy_of_volume(const DeckParameters& p, deck::Findings& findings) {
+  if (p.grid.dilatation != mechanics::DilatationChoice::element_mean) return;
+  for (const auto& named : p.materials.materials)
+    if (!material::compressibility({named}).may_be_averaged)
+      findings.add("Grid|Dilatation",
+                   "\"Element Mean\" averages the energy of volume, which Model = " +
+                       material::model_of(named.second).name + " of material \"" + named.first +
+                       "\" does not have; admissible with it: \"Pointwise\", \"Automatic\"");
+}
+
 }  // namespace
 
 deck::Section<DeckParameters> deck_section() {
@@ -62,6 +74,7 @@ deck::Section<DeckParameters> deck_section() {
   section.section(sections::solver_section(), &DeckParameters::solver);
   section.section(sections::output_section(), &DeckParameters::output);
   section.check(refuse_fields_without_intensities);
+  section.check(refuse_mean_without_energy_of_volume);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {
       if (!force.acceleration) continue;

@@ -159,9 +159,9 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     0,
                     "",
                     {}};
-  const double nu = material::largest_poisson_ratio(materials);
-  specimen.dilatation = mechanics::describe_dilatation(p.grid, nu);
-  const std::string locking = mechanics::locking_note(p.grid, nu);
+  const material::Compressibility of_volume = material::compressibility(materials);
+  specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
+  const std::string locking = mechanics::locking_note(p.grid, of_volume);
   if (!locking.empty()) specimen.notes.push_back(locking);
   if (varies) specimen.extremes = extremes_of(communicator, materials, particles);
   for (std::string& note : stiffness_notes(materials, specimen.extremes))
@@ -186,15 +186,14 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   if (problem.density.size() != problem.laws.size()) problem.density.clear();
   problem.outer_thickness = specimen.layout.outer_thickness;
   problem.particle_half_edge = specimen.layout.half_edge;
-  problem.method =
-      mechanics::method_of(p.grid, material::largest_poisson_ratio(p.materials.materials));
+  problem.method = mechanics::method_of(p.grid, material::compressibility(p.materials.materials));
   return problem;
 }
 
 solver::Circumstances circumstances(const Deck& deck, const mechanics::MomentumBalance& balance) {
   const DeckParameters& p = deck.parameters;
-  return solver::circumstances(p.solver, p.grid,
-                               material::largest_poisson_ratio(p.materials.materials), balance);
+  return solver::circumstances(p.solver, p.grid, material::compressibility(p.materials.materials),
+                               balance);
 }
 
 }  // namespace stroma

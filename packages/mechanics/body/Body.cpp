@@ -78,6 +78,10 @@ Body::Body(const base::Communicator& communicator, const grid::Partition& partit
   check_shape_functions(problem, partition.grid());
   check_scales(problem);
   check_fields(communicator, particles_, *stress_);
+  if (problem.method.dilatation == Dilatation::element_mean && !stress_->may_be_averaged())
+    throw base::InputError(
+        "a mean dilatation averages the laws' energies of volume, and one of them has none; "
+        "admissible: Dilatation::pointwise");
   particles::begin_history(particles_, stress_->states());
   typical_diagonal_ = problem.laws.stiffest_modulus() *
                       std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});

@@ -32,6 +32,8 @@ class StressKernels {
 
   /// Numbers of history that particles must have (Particles::history); 0: none.
   virtual int states() const = 0;
+  /// Whether mean dilatation may average the laws' energies of volume: whether all have one.
+  virtual bool may_be_averaged() const = 0;
   /// Whether they ask for the particles' own shear modulus (Particles::shear_modulus).
   virtual bool read_shear_modulus() const = 0;
 

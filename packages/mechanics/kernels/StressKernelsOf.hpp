@@ -20,9 +20,14 @@ template <class Shape, class Law>
 class StressKernelsOf : public StressKernels {
  public:
   /// \param laws  of all materials
-  explicit StressKernelsOf(const std::vector<Law>& laws) : law_(grid::to_device("law", laws)) {}
+  explicit StressKernelsOf(const std::vector<Law>& laws)
+      : law_(grid::to_device("law", laws)),
+        may_be_averaged_(std::all_of(laws.begin(), laws.end(), [](const Law& law) {
+          return material::may_be_averaged(law);
+        })) {}
 
   int states() const override { return material::states_of<Law>; }
+  bool may_be_averaged() const override { return may_be_averaged_; }
   bool read_shear_modulus() const override {
     return material::is_asked_by_particle<Law> && material::may_vary_in_stiffness<Law>;
   }
@@ -73,6 +78,7 @@ class StressKernelsOf : public StressKernels {
   }
 
   Kokkos::View<const Law*, Device> law_;  // of each material
+  bool may_be_averaged_;
 };
 
 /// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, the

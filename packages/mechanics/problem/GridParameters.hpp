@@ -10,6 +10,7 @@
 #include <string>
 
 #include "stroma/grid/Grid.hpp"
+#include "stroma/material/Material.hpp"
 #include "stroma/mechanics/problem/Method.hpp"
 
 namespace stroma::mechanics {
@@ -33,18 +34,20 @@ struct GridParameters {
 /// without. The automatic dilatation is the element's mean where shape functions lock and a Poisson
 /// ratio is above 0.45, else the particle's own; the paper's projected displacement knows no mean.
 ///
-/// \param parameters             the user's
-/// \param largest_poisson_ratio  of the materials [-]
-Method method_of(const GridParameters& parameters, double largest_poisson_ratio);
+/// \param parameters  the user's
+/// \param of_volume   how the materials resist a change of volume
+Method method_of(const GridParameters& parameters, const material::Compressibility& of_volume);
 
 /// From this Poisson ratio on, hats, GIMP and CPDI lock noticeably without a mean dilatation.
 constexpr double locking_poisson_ratio = 0.45;
 
 /// The name of a run's dilatation, and why it was chosen.
-std::string describe_dilatation(const GridParameters& parameters, double largest_poisson_ratio);
+std::string describe_dilatation(const GridParameters& parameters,
+                                const material::Compressibility& of_volume);
 
 /// What to do about a run that locks; empty for one that does not.
-std::string locking_note(const GridParameters& parameters, double largest_poisson_ratio);
+std::string locking_note(const GridParameters& parameters,
+                         const material::Compressibility& of_volume);
 
 /// The grid that fills the body's box.
 ///

@@ -5,7 +5,9 @@
 
 namespace stroma::mechanics {
 
-Method method_of(const GridParameters& parameters, double largest_poisson_ratio) {
+using material::Compressibility;
+
+Method method_of(const GridParameters& parameters, const Compressibility& of_volume) {
   Method method;
   method.reset = parameters.reset;
   method.shape_functions = parameters.shape_functions;
@@ -13,8 +15,9 @@ Method method_of(const GridParameters& parameters, double largest_poisson_ratio)
   method.deformation_gradient = parameters.deformation_gradient;
   method.stabilization = parameters.stabilization.value_or(parameters.reset ? 0.01 : 2e-5);
   const bool needs_mean = shape::kind_of(parameters.shape_functions).locks &&
-                          largest_poisson_ratio > locking_poisson_ratio;
-  const bool knows_mean = parameters.deformation_gradient == DeformationGradient::incremental;
+                          of_volume.largest_poisson_ratio > locking_poisson_ratio;
+  const bool knows_mean = parameters.deformation_gradient == DeformationGradient::incremental &&
+                          of_volume.may_be_averaged;
   const bool is_mean = parameters.dilatation == DilatationChoice::automatic
                            ? needs_mean && knows_mean
                            : parameters.dilatation == DilatationChoice::element_mean;
@@ -22,29 +25,32 @@ Method method_of(const GridParameters& parameters, double largest_poisson_ratio)
   return method;
 }
 
-std::string describe_dilatation(const GridParameters& parameters, double largest_poisson_ratio) {
-  const bool is_mean =
-      method_of(parameters, largest_poisson_ratio).dilatation == Dilatation::element_mean;
+std::string describe_dilatation(const GridParameters& parameters,
+                                const Compressibility& of_volume) {
+  const bool is_mean = method_of(parameters, of_volume).dilatation == Dilatation::element_mean;
   std::string text = is_mean ? "Element Mean" : "Pointwise";
   if (parameters.dilatation == DilatationChoice::automatic)
-    text += base::format(" (Automatic, for Poisson ratios up to %.6g)", largest_poisson_ratio);
+    text += base::format(" (Automatic, for Poisson ratios up to %.6g)",
+                         of_volume.largest_poisson_ratio);
   return text;
 }
 
-std::string locking_note(const GridParameters& parameters, double largest_poisson_ratio) {
+std::string locking_note(const GridParameters& parameters, const Compressibility& of_volume) {
   if (!shape::kind_of(parameters.shape_functions).locks ||
-      largest_poisson_ratio < locking_poisson_ratio ||
-      method_of(parameters, largest_poisson_ratio).dilatation != Dilatation::pointwise)
+      of_volume.largest_poisson_ratio < locking_poisson_ratio ||
+      method_of(parameters, of_volume).dilatation != Dilatation::pointwise)
     return "";
   const bool is_projected =
       parameters.deformation_gradient == DeformationGradient::projected_displacement;
   return base::format(
              "Grid|Dilatation = Pointwise lets these shape functions lock at a Poisson ratio of "
              "%.6g: the body is too stiff, the more so the nearer it is to 0.5; ",
-             largest_poisson_ratio) +
-         (is_projected ? "Deformation Gradient = Projected Displacement admits no other; "
-                         "\"Incremental\" with \"Element Mean\", or B-splines, cure it"
-                       : "\"Element Mean\", or B-splines, cure it");
+             of_volume.largest_poisson_ratio) +
+         (!of_volume.may_be_averaged
+              ? "a law without an energy of volume admits no other; B-splines cure it"
+          : is_projected ? "Deformation Gradient = Projected Displacement admits no other; "
+                           "\"Incremental\" with \"Element Mean\", or B-splines, cure it"
+                         : "\"Element Mean\", or B-splines, cure it");
 }
 
 }  // namespace stroma::mechanics

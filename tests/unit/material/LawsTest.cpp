@@ -82,9 +82,16 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(NamedLaw{"NeoHookean", NeoHookean{520.8, 2430.4}},
                       NamedLaw{"NeoHookeanQuadratic", NeoHookean{520.8, 2430.4, quadratic}},
                       NamedLaw{"CoupledNeoHookean", CoupledNeoHookean{520.8, 2083.2}},
-                      NamedLaw{"MooneyRivlin", MooneyRivlin{200.0, 60.4, 2430.4}},
+                      NamedLaw{"MooneyRivlin", MooneyRivlin{{2430.4}, 200.0, 60.4}},
                       NamedLaw{"MooneyRivlinQuadratic",
-                               MooneyRivlin{500.0, -20.8, 2430.4, quadratic}}),
+                               MooneyRivlin{{2430.4, quadratic}, 500.0, -20.8}},
+                      NamedLaw{"OgdenOfOneTerm", Ogden{{2430.4}, 1, {1041.6}, {2.0}}},
+                      NamedLaw{"Ogden", Ogden{{2430.4}, 3, {900.0, 150.0, 20.0}, {4.0, -2.0, 7.5}}},
+                      NamedLaw{"Yeoh", Yeoh{{2430.4}, 3, {260.4, -30.0, 55.0}}},
+                      NamedLaw{"VerondaWestmann", VerondaWestmann{{2430.4}, 100.0, 4.0}},
+                      NamedLaw{"HolmesMow", HolmesMow{400.0, 500.0, 0.8}},
+                      NamedLaw{"HolmesMowAuxetic", HolmesMow{400.0, -100.0, 1.5}},
+                      NamedLaw{"ArrudaBoyce", ArrudaBoyce{{2430.4}, 450.0, 6.5}}),
     [](const auto& instance) { return instance.param.name; });
 
 // V-MAT-1. Central differences are of second order, so halving h must quarter the error. The smallest h
@@ -188,7 +195,7 @@ TEST(NeoHookean, AloneAndAsOneOfSeveralIsTheSame) {
 }
 
 TEST(MooneyRivlin, WithoutItsSecondModulusIsNeoHookean) {
-  const MooneyRivlin law{260.4, 0.0, 2430.4};
+  const MooneyRivlin law{{2430.4}, 260.4, 0.0};
   EXPECT_NEAR(energy(law, H), energy(collagen, H), 1e-13 * 2430.4);
   EXPECT_LT(norm(kirchhoff_stress(law, H) - kirchhoff_stress(collagen, H)), 1e-13 * 2430.4);
 }
@@ -198,7 +205,7 @@ TEST(MooneyRivlin, WithoutItsSecondModulusIsNeoHookean) {
 // sigma_yy - sigma_zz = -2 C2 g^2.
 TEST(MooneyRivlin, SimpleShearHasTheAnalyticStress) {
   const double g = 0.4, c1 = 200.0, c2 = 60.4;
-  const MooneyRivlin law{c1, c2, 2430.4};
+  const MooneyRivlin law{{2430.4}, c1, c2};
   Tensor3 shear;
   shear(0, 1) = g;
   const Tensor3 sigma = cauchy_stress(law, shear);

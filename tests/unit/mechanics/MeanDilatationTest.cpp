@@ -46,7 +46,7 @@ Specimen specimen_of(const Case& c) {
   specimen.laws = {{520.8, 2430.4}, {1041.6, 9000.0, VolumetricEnergy::quadratic}};
   if (c.has_other_laws)
     specimen.other_laws = std::vector<material::AnyLaw>{
-        material::MooneyRivlin{200.0, 60.4, 2430.4}, material::CoupledNeoHookean{1041.6, 9000.0}};
+        material::MooneyRivlin{{2430.4}, 200.0, 60.4}, material::CoupledNeoHookean{1041.6, 9000.0}};
   specimen.label = [](const grid::Index3& voxel) {
     return voxel[0] > 5 && voxel[1] > 4 && voxel[2] > 4 ? -1 : test::crossing_bars(voxel);
   };

@@ -21,8 +21,12 @@ std::vector<CaseCondition> conditions_of(const std::string& name) {
               {"back", "z-", "z", "", ""}};
     case 'E':
       break;
-    case 'L':
-      return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", strain("0.20"), "F_y1"}};
+    case 'L': {
+      const std::string moved = name[1] == '4' ? parameter("Displacement Gradient", "Array(double)",
+                                                           "{0, 0.3, 0, 0, 0, 0, 0, 0, 0}")
+                                               : strain(name[1] == '3' ? "-0.20" : "0.20");
+      return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", moved, "F_y1"}};
+    }
     default:  // clamped grips
       return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", strain("0.10"), "F_y1"}};
   }
@@ -71,10 +75,26 @@ nlohmann::json in_one_form(nlohmann::json reference) {
 
 /// A material's parameters in the deck, from those of the reference.
 std::string law_parameters(const nlohmann::json& material) {
-  std::string text = parameter("Model", "string", material.at("law").get<std::string>());
-  for (const auto& [key, name] :
-       {std::pair{"C1", "C1 [Pa]"}, {"C2", "C2 [Pa]"}, {"K", "Bulk Modulus [Pa]"}})
-    if (material.contains(key)) text += parameter(name, "double", material.at(key).dump());
+  const auto model = material.at("law").get<std::string>();
+  std::string text = parameter("Model", "string", model);
+  for (const auto& [key, name] : {std::pair{"C1", "C1 [Pa]"},
+                                  {"C2", model == "Veronda-Westmann" ? "C2" : "C2 [Pa]"},
+                                  {"C", "C [Pa]"},
+                                  {"M", "M"},
+                                  {"mu", "Shear Modulus [Pa]"},
+                                  {"lam", "Lame Modulus [Pa]"},
+                                  {"beta", "Beta"},
+                                  {"K", "Bulk Modulus [Pa]"},
+                                  {"nu", "Poisson Ratio"}}) {
+    if (!material.contains(key)) continue;
+    std::string value = material.at(key).dump();
+    std::string type = "double";
+    if (material.at(key).is_array()) {
+      type = "Array(double)";
+      value = "{" + value.substr(1, value.size() - 2) + "}";
+    }
+    text += parameter(name, type, value);
+  }
   return text;
 }
 

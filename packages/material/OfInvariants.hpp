@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What uncoupled laws share: the energy of volume, and stress and tangent of an energy of the
+/// isochoric invariants.
+
+#include "stroma/material/LawParameters.hpp"
+
+namespace stroma::material {
+
+/// The energy of volume of an uncoupled law.
+struct Uncoupled {
+  double bulk_modulus;  ///< K [Pa], > 0
+  VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
+
+  KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
+    return material::energy_of_volume(volumetric_energy, bulk_modulus, log_j);
+  }
+  KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
+    return material::stress_of_volume(volumetric_energy, bulk_modulus, log_j);
+  }
+  template <class Parameters>
+  static void declare_volume(Parameters& parameters) {
+    declare_bulk_modulus(parameters, &Uncoupled::bulk_modulus);
+    parameters.volumetric_energy(&Uncoupled::volumetric_energy);
+  }
+};
+
+/// Of an energy W1 = f(Ibar1) + c Ibar2, with the invariants of bbar = J^(-2/3) b, b = F F^T [Pa].
+struct InvariantSlopes {
+  double first;        ///< f'
+  double first_first;  ///< f''
+  double second;       ///< c
+};
+
+/// tau = 2 f' dev(bbar) + 2 c dev(Ibar1 bbar - bbar^2) + p I [Pa]. With b = I + e, e small where the
+/// strain is, dev(I1 b - b^2) = dev((1 + tr e) e - e^2).
+KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress_of_invariants(const InvariantSlopes& slope,
+                                                              const Tensor3& H, double log_j,
+                                                              const VolumetricStress& volume) {
+  const double factor = exp(-2.0 / 3.0 * log_j);
+  const Tensor3 e = tensor::left_cauchy_green_minus_identity(H);
+  Tensor3 tau = (2.0 * factor) *
+                tensor::deviator(slope.first * e +
+                                 (slope.second * factor) * ((1.0 + tensor::trace(e)) * e - e * e));
+  for (int i = 0; i < 3; ++i) tau(i, i) += volume.pressure;
+  return tau;
+}
+
+/// With s = dev tau, f_1 = 2 f' Ibar1, f_2 = 4 c Ibar2 the traces of the two parts of tau before the
+/// deviator is taken, and P = I4 - 1/3 I x I,
+///
+///     c = 4 f'' dev bbar x dev bbar + 4 c P : (bbar x bbar - bbar (.) bbar) : P
+///         + 2/3 (f_1 + f_2) P - 2/3 (s x I + I x s) + M I x I - 2 p I4,
+///
+///     (b (.) b)_ijkl = (b_ik b_jl + b_il b_jk) / 2,     P : (b x b) : P = dev b x dev b,
+///     P : (b (.) b) : P = b (.) b - 1/3 (b^2 x I + I x b^2) + 1/9 tr(b^2) I x I.
+///
+/// Source: Holzapfel (2000), section 6.6.
+KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& slope,
+                                                         const Tensor3& H, double log_j,
+                                                         const VolumetricStress& volume) {
+  const double factor = exp(-2.0 / 3.0 * log_j);
+  const Tensor3 b = factor * (tensor::identity() + tensor::left_cauchy_green_minus_identity(H));
+  const Tensor3 b2 = b * b, dev_b = tensor::deviator(b);
+  const double i1 = tensor::trace(b), tr_b2 = tensor::trace(b2);
+  const double traces = 2.0 * slope.first * i1 + 2.0 * slope.second * (i1 * i1 - tr_b2);
+  IsotropicTangent simple;
+  simple.tau = kirchhoff_stress_of_invariants(slope, H, log_j, volume);
+  simple.s = tensor::deviator(simple.tau);
+  simple.volumetric = volume.modulus - 2.0 / 9.0 * traces;
+  simple.symmetric = traces / 3.0 - volume.pressure;
+  FullTangent result(simple);
+  const double of_dev_b = 4.0 * (slope.first_first + slope.second);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) {
+          const double ij = i == j, kl = k == l;
+          const double projected = 0.5 * (b(i, k) * b(j, l) + b(i, l) * b(j, k)) -
+                                   (b2(i, j) * kl + ij * b2(k, l)) / 3.0 + tr_b2 / 9.0 * ij * kl;
+          result.a(i, j, k, l) +=
+              of_dev_b * dev_b(i, j) * dev_b(k, l) - 4.0 * slope.second * projected;
+        }
+  return result;
+}
+
+}  // namespace stroma::material
