@@ -14,7 +14,7 @@ namespace stroma::material {
 ///
 ///     W = sum_i C_i/M_i^2 (lbar1^M_i + lbar2^M_i + lbar3^M_i - 3) + U(J),   i = 1 to n.
 ///
-/// One term with M = 2 is NeoHookean, mu = C/2. Source: Ogden (1972), Proc R Soc Lond A 326:565;
+/// One term with M = 2 is NeoHookean, mu = C/2. Source: Ogden (1972), Proc R Soc A 326:565;
 /// uncoupled "Ogden" of FEBio.
 struct Ogden : Uncoupled {
   int terms;    ///< n, 1 to 6

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "stroma/material/NeoHookean.hpp"
+#include "stroma/material/AnyLaw.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
@@ -213,10 +213,61 @@ TEST(SimpleShearDeck, HasTheAnswerOnPaper) {
   }
 }
 
+/// The force that stretches a bar of 4 x 4 x 4 um with free sides: the sideways stretch at which its
+/// sides are free of stress, by bisection.
+double uniaxial_force(const material::AnyLaw& law, double stretch) {
+  const auto state = [&](double sideways) {
+    tensor::Tensor3 H;
+    H(0, 0) = H(2, 2) = sideways - 1.0;
+    H(1, 1) = stretch - 1.0;
+    return material::kirchhoff_stress(law, H);
+  };
+  double thin = 0.5, wide = 1.0;
+  for (int n = 0; n < 60; ++n) {
+    const double middle = 0.5 * (thin + wide);
+    (state(middle)(0, 0) > 0.0 ? wide : thin) = middle;
+  }
+  return state(thin)(1, 1) / stretch * 16.0;
+}
+
+// 09_tissue_laws: each law's bar, against the law itself.
+TEST(TissueLawsDeck, PullsEachBarAsItsLawSays) {
+  const double nu = 0.3, K = material::bulk_modulus(500.0, nu);
+  const material::ArrudaBoyce chains{{0.0}, 321.8100652, 2.0};
+  const material::AnyLaw laws[] = {
+      material::NeoHookean{500.0, K},
+      material::CoupledNeoHookean{500.0, 750.0},
+      material::MooneyRivlin{{K}, 100.0, 150.0},
+      material::Ogden{{K}, 1, {1000.0}, {-8.0}},
+      material::Yeoh{{K}, 3, {250.0, 100.0, 100.0}},
+      material::VerondaWestmann{{K}, 250.0, 2.0},
+      material::HolmesMow{500.0, 750.0, 0.8},
+      material::ArrudaBoyce{
+          {material::bulk_modulus(chains.small_strain().shear, nu)}, 321.8100652, 2.0},
+  };
+  const TemporaryFolder results;
+  const std::string deck = quoted(decks / "09_tissue_laws" / "deck.yaml");
+  ASSERT_EQ(run_stroma(results.path(), "check " + deck).status, 0);
+  int label = 0;
+  for (const material::AnyLaw& law : laws) {
+    SCOPED_TRACE("label " + std::to_string(label));
+    const Outcome run = run_stroma(
+        results.path(), "run " + deck + " -o out --quiet --set 'Output|Pictures=false'" +
+                            " --set 'Image|Phantom|Shapes|bar|Label=" + std::to_string(label++) +
+                            "' --set 'Loading|Steps=5'");
+    ASSERT_EQ(run.status, 0) << run.standard_error;
+    const History history(results.path() / "out" / "history.csv");
+    for (std::size_t s = 1; s < history.rows(); ++s) {
+      const double force = uniaxial_force(law, 1.0 + 0.5 * history["load"][s]);
+      EXPECT_NEAR(history["top.reaction_y"][s], force, 1e-8 * force);
+    }
+  }
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study.
-  std::vector<std::string> tested{"04_simple_shear", "06_resolution_study"};
+  std::vector<std::string> tested{"04_simple_shear", "06_resolution_study", "09_tissue_laws"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))

@@ -76,7 +76,7 @@ TEST(Advice, IsGivenByWhatTheBodyIs) {
   SolverParameters solver;
   mechanics::GridParameters grid;
   grid.dilatation = mechanics::DilatationChoice::pointwise;
-  const Circumstances known = circumstances(solver, grid, 0.49, *balance);
+  const Circumstances known = circumstances(solver, grid, {0.49}, *balance);
   EXPECT_DOUBLE_EQ(known.contrast, 3e7);
   EXPECT_TRUE(known.is_single_precision);
   EXPECT_EQ(known.barely_filled, 16);
@@ -86,8 +86,8 @@ TEST(Advice, IsGivenByWhatTheBodyIs) {
   EXPECT_TRUE(known.has_free_motion);
 
   solver.preconditioner = PreconditionerKind::multigrid;
-  EXPECT_FALSE(circumstances(solver, {}, 0.4, *balance).is_single_precision);
-  EXPECT_EQ(circumstances(solver, {}, 0.4, *balance).locking, "");
+  EXPECT_FALSE(circumstances(solver, {}, {0.4}, *balance).is_single_precision);
+  EXPECT_EQ(circumstances(solver, {}, {0.4}, *balance).locking, "");
 }
 
 }  // namespace
