@@ -18,22 +18,22 @@
 
 namespace stroma::material {
 
-/// The admissible values of a number: strictly between two, with or without 0.
+/// The admissible values of a number: between two, the upper left out.
 struct Range {
   double lower, upper;
+  bool has_lower = false;
   bool has_zero = true;
 
-  static constexpr Range positive() { return {0.0, std::numeric_limits<double>::infinity()}; }
-  static constexpr Range any() {
-    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  }
-  static constexpr Range not_zero() {
-    Range range = any();
-    range.has_zero = false;
-    return range;
-  }
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr Range any() { return {-infinity, infinity}; }
+  static constexpr Range not_zero() { return {-infinity, infinity, false, false}; }
+  static constexpr Range above(double bound) { return {bound, infinity}; }
+  static constexpr Range positive() { return above(0.0); }
+  static constexpr Range at_least(double bound) { return {bound, infinity, true}; }
+  static constexpr Range between(double low, double high) { return {low, high, true}; }
   constexpr bool operator==(const Range& other) const {
-    return lower == other.lower && upper == other.upper && has_zero == other.has_zero;
+    return lower == other.lower && upper == other.upper && has_lower == other.has_lower &&
+           has_zero == other.has_zero;
   }
 };
 

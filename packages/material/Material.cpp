@@ -11,20 +11,41 @@ namespace stroma::material {
 Compressibility compressibility(const NamedMaterials& materials) {
   Compressibility all{-1.0};
   for (const auto& [name, m] : materials) {
-    const AnyLaw law = model_of(m).law(m);
+    const AnyMatrix law = model_of(m).law(m);
     const auto given = m.numbers.find(poisson_ratio_name);
     all.largest_poisson_ratio =
         std::max(all.largest_poisson_ratio,
                  given != m.numbers.end() ? given->second : law.small_strain().poisson_ratio());
-    all.may_be_averaged = all.may_be_averaged && law.may_be_averaged();
+    all.may_be_averaged = all.may_be_averaged && may_be_averaged(law);
   }
   return all;
 }
 
-std::vector<AnyLaw> laws(const NamedMaterials& materials) {
-  std::vector<AnyLaw> laws;
-  for (const auto& named : materials) laws.push_back(model_of(named.second).law(named.second));
-  return laws;
+namespace {
+
+FiberFamily family_of(const FiberParameters& fibers, std::vector<FiberDirections>& kept) {
+  const std::vector<FiberDirection> all = directions(fibers.distribution);
+  const FiberDirections on_device("fiber directions", all.size());
+  const auto on_host = Kokkos::create_mirror_view(on_device);
+  std::copy(all.begin(), all.end(), on_host.data());
+  Kokkos::deep_copy(on_device, on_host);
+  kept.push_back(on_device);
+  return {fiber_models()[static_cast<std::size_t>(fibers.law)].law(fibers), on_device.data(),
+          static_cast<int>(all.size())};
+}
+
+}  // namespace
+
+MaterialLaws laws_of(const NamedMaterials& materials) {
+  MaterialLaws all;
+  for (const auto& [name, material] : materials) {
+    AnyLaw law = model_of(material).law(material);
+    if (material.fibers)
+      for (const auto& family : material.fibers->families)
+        law.add(family_of(family.second, all.directions));
+    all.laws.push_back(law);
+  }
+  return all;
 }
 
 bool vary_in_stiffness(const NamedMaterials& materials) {
@@ -35,7 +56,8 @@ bool vary_in_stiffness(const NamedMaterials& materials) {
 
 std::function<double(int, double)> shear_modulus_of(const NamedMaterials& materials) {
   std::vector<double> own;
-  for (const AnyLaw& law : laws(materials)) own.push_back(law.small_strain().shear);
+  for (const auto& named : materials)
+    own.push_back(model_of(named.second).law(named.second).small_strain().shear);
   return [materials, own](int material, double intensity) {
     const auto m = static_cast<std::size_t>(material);
     const auto& fields = materials[m].second.fields;

@@ -18,6 +18,17 @@
 
 namespace stroma::material {
 
+/// A family of fibres: the deck's list `Fibers|FAMILY`.
+struct FiberParameters {
+  int law = 0;                            ///< place in the list of laws of fibres
+  std::map<std::string, double> numbers;  ///< the law's, by their names in the deck
+  DistributionParameters distribution;
+};
+
+struct FibersParameters {
+  std::vector<std::pair<std::string, FiberParameters>> families;  ///< by the user's names
+};
+
 struct MaterialParameters {
   int label = 0;
   int model = 0;  ///< place in the list of laws
@@ -27,6 +38,7 @@ struct MaterialParameters {
   std::map<std::string, std::vector<double>> lists;  ///< its lists of numbers, likewise
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
+  std::optional<FibersParameters> fibers;
   std::optional<MaterialFields> fields;
 };
 
@@ -46,8 +58,12 @@ struct Compressibility {
 /// Of at least one material.
 Compressibility compressibility(const NamedMaterials& materials);
 
-/// The law of each material, by index.
-std::vector<AnyLaw> laws(const NamedMaterials& materials);
+/// The law of each material, by index, and the directions of fibres that they point to.
+struct MaterialLaws {
+  std::vector<AnyLaw> laws;
+  std::vector<FiberDirections> directions;
+};
+MaterialLaws laws_of(const NamedMaterials& materials);
 
 /// Whether the shear modulus of a material varies within it.
 bool vary_in_stiffness(const NamedMaterials& materials);

@@ -8,10 +8,10 @@ namespace stroma::material {
 namespace {
 
 /// What L::declare() says, as a model of the deck.
-template <class Law>
+template <class Law, class ModelOfLaw>
 class Describing {
  public:
-  explicit Describing(Model& model) : model_(model) {}
+  explicit Describing(ModelOfLaw& model) : model_(model) {}
 
   void number(const char* name, double Law::*, Range admissible, const char* meaning) {
     model_.numbers.push_back({name, meaning, admissible, false});
@@ -29,14 +29,14 @@ class Describing {
   void volumetric_energy(VolumetricEnergy Law::*) { model_.has_volumetric_energy = true; }
 
  private:
-  Model& model_;
+  ModelOfLaw& model_;
 };
 
-/// L::declare() with the numbers of a material.
-template <class Law>
+/// L::declare() with the numbers of a material, or of a family of fibres.
+template <class Law, class Given>
 class Filling {
  public:
-  explicit Filling(const MaterialParameters& given) : given_(given) {}
+  explicit Filling(const Given& given) : given_(given) {}
   const Law& law() const { return law_; }
 
   void number(const char* name, double Law::*member, Range, const char*) {
@@ -60,23 +60,39 @@ class Filling {
   void volumetric_energy(VolumetricEnergy Law::*member) { law_.*member = given_.volumetric_energy; }
 
  private:
-  const MaterialParameters& given_;
+  const Given& given_;
   Law law_{};
 };
 
-template <class Law>
-Model model_of() {
-  Model model;
+template <class Law, class Given>
+Law filled(const Given& given) {
+  Filling<Law, Given> filling(given);
+  Law::declare(filling);
+  return filling.law();
+}
+
+template <class Law, class ModelOfLaw>
+ModelOfLaw described() {
+  ModelOfLaw model;
   model.name = Law::name();
   model.meaning = Law::meaning();
-  model.may_vary_in_stiffness = material::may_vary_in_stiffness<Law>;
-  Describing<Law> description(model);
+  Describing<Law, ModelOfLaw> description(model);
   Law::declare(description);
-  model.law = [](const MaterialParameters& given) -> AnyLaw {
-    Filling<Law> filling(given);
-    Law::declare(filling);
-    return filling.law();
-  };
+  return model;
+}
+
+template <class Law>
+Model model_of() {
+  Model model = described<Law, Model>();
+  model.may_vary_in_stiffness = material::may_vary_in_stiffness<Law>;
+  model.law = [](const MaterialParameters& given) -> AnyMatrix { return filled<Law>(given); };
+  return model;
+}
+
+template <class Law>
+FiberModel fiber_model_of() {
+  FiberModel model = described<Law, FiberModel>();
+  model.law = [](const FiberParameters& given) -> AnyFiberLaw { return filled<Law>(given); };
   return model;
 }
 
@@ -85,20 +101,25 @@ std::vector<Model> models_of(const OneOf<Laws...>*) {
   return {model_of<Laws>()...};
 }
 
+template <class... Laws>
+std::vector<FiberModel> models_of(const TaggedUnion<Laws...>*) {
+  return {fiber_model_of<Laws>()...};
+}
+
 }  // namespace
 
-bool Model::takes_poisson_ratio() const {
+bool NamedNumbers::takes_poisson_ratio() const {
   return std::any_of(numbers.begin(), numbers.end(),
                      [](const ModelNumber& number) { return number.or_poisson_ratio; });
 }
 
-bool Model::takes(const std::string& number) const {
+bool NamedNumbers::takes(const std::string& number) const {
   return (number == poisson_ratio_name && takes_poisson_ratio()) ||
          std::any_of(numbers.begin(), numbers.end(),
                      [&](const ModelNumber& own) { return own.name == number; });
 }
 
-std::string Model::listing() const {
+std::string NamedNumbers::listing() const {
   std::string text;
   for (const ModelNumber& number : numbers)
     text += (text.empty() ? "" : ", ") + number.name +
@@ -107,7 +128,12 @@ std::string Model::listing() const {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all = models_of(static_cast<const AnyLaw*>(nullptr));
+  static const std::vector<Model> all = models_of(static_cast<const AnyMatrix*>(nullptr));
+  return all;
+}
+
+const std::vector<FiberModel>& fiber_models() {
+  static const std::vector<FiberModel> all = models_of(static_cast<const AnyFiberLaw*>(nullptr));
   return all;
 }
 

@@ -21,14 +21,10 @@ struct ModelNumber {
   int longest = 0;        ///< of a list, the most numbers that it may have; 0: no list
 };
 
-/// One admissible value of `Model`.
-struct Model {
+/// A name that the deck gives a law, and the numbers that go with it.
+struct NamedNumbers {
   std::string name, meaning;
   std::vector<ModelNumber> numbers;
-  bool has_volumetric_energy = false;
-  bool may_vary_in_stiffness = false;  ///< "Shear Modulus [Pa]" may be a field
-  /// The law with a material's numbers, all of which must be there.
-  std::function<AnyLaw(const MaterialParameters&)> law;
 
   bool takes_poisson_ratio() const;
   bool takes(const std::string& number) const;
@@ -36,8 +32,22 @@ struct Model {
   std::string listing() const;
 };
 
+/// One admissible value of `Model`.
+struct Model : NamedNumbers {
+  bool has_volumetric_energy = false;
+  bool may_vary_in_stiffness = false;  ///< "Shear Modulus [Pa]" may be a field
+  /// The law with a material's numbers, all of which must be there.
+  std::function<AnyMatrix(const MaterialParameters&)> law;
+};
+
+/// One admissible value of `Fibers|FAMILY|Law`.
+struct FiberModel : NamedNumbers {
+  std::function<AnyFiberLaw(const FiberParameters&)> law;
+};
+
 /// All of them, in the order of the list of laws.
 const std::vector<Model>& models();
+const std::vector<FiberModel>& fiber_models();
 /// The one that a material names.
 const Model& model_of(const MaterialParameters& material);
 

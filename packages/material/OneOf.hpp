@@ -5,48 +5,21 @@
 /// \file
 /// A law that is one of several, in bodies whose materials obey different ones.
 
-#include <algorithm>
-#include <new>
-#include <type_traits>
-
 #include "stroma/material/Law.hpp"
+#include "stroma/material/TaggedUnion.hpp"
 
 namespace stroma::material {
 
-/// One of several laws, with the contract of a law itself (Law.hpp) and the full tangent. A tagged
-/// union, trivially copyable, without virtual calls: it lives in views of any memory space. Its
+/// One of several laws, with the contract of a law itself (Law.hpp) and the full tangent. Its
 /// kernels ask each particle for what it has of its own (transfer::law_at).
 template <class... Laws>
-class OneOf {
+class OneOf : public TaggedUnion<Laws...> {
  public:
   using Tangent = FullTangent;
   static constexpr int states = std::max({states_of<Laws>...});
 
-  template <class Law, class = std::enable_if_t<(std::is_same_v<Law, Laws> || ...)>>
-  OneOf(const Law& law) : which_(index_of<Law>()) {
-    new (storage_) Law(law);
-  }
-  OneOf() = default;
-
-  /// f(law) of the law that it is; f answers alike for all.
-  template <class F>
-  KOKKOS_INLINE_FUNCTION auto visit(const F& f) const {
-    std::common_type_t<decltype(f(std::declval<const Laws&>()))...> result{};
-    (void)((which_ == index_of<Laws>() ? (result = f(as<Laws>()), true) : false) || ...);
-    return result;
-  }
-  template <class Law>
-  bool is() const {
-    return which_ == index_of<Law>();
-  }
-  template <class Law>
-  KOKKOS_INLINE_FUNCTION const Law& as() const {
-    return *reinterpret_cast<const Law*>(storage_);
-  }
-  template <class Law>
-  KOKKOS_INLINE_FUNCTION Law& as() {
-    return *reinterpret_cast<Law*>(storage_);
-  }
+  using TaggedUnion<Laws...>::TaggedUnion;
+  using TaggedUnion<Laws...>::visit;
 
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return visit([](const auto& law) { return law.small_strain(); });
@@ -61,8 +34,7 @@ class OneOf {
     });
   }
   KOKKOS_INLINE_FUNCTION void recall(const double* history) {
-    (void)((which_ == index_of<Laws>() ? (material::recall(as<Laws>(), history), true) : false) ||
-           ...);
+    this->change([=](auto& law) { material::recall(law, history); });
   }
   KOKKOS_INLINE_FUNCTION void new_state(const Tensor3& H, double log_j, double log_of_volume,
                                         double* next) const {
@@ -95,18 +67,6 @@ class OneOf {
                                              const VolumetricStress& volume) const {
     return visit([&](const auto& law) { return FullTangent(law.tangent(H, log_j, volume)); });
   }
-
- private:
-  /// Its place among the laws.
-  template <class Law>
-  KOKKOS_INLINE_FUNCTION static constexpr int index_of() {
-    int index = 0;
-    (void)((std::is_same_v<Law, Laws> ? true : (++index, false)) || ...);
-    return index;
-  }
-
-  alignas(std::max({alignof(Laws)...})) unsigned char storage_[std::max({sizeof(Laws)...})];
-  int which_ = 0;
 };
 
 /// Whether mean dilatation may average a law's energy of volume.

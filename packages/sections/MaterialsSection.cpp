@@ -43,10 +43,13 @@ std::vector<SharedNumber> shared_numbers() {
 }
 
 deck::Admissible admissible(const Range& range) {
-  return !range.has_zero ? deck::number_that("other than 0", [](double x) { return x != 0.0; })
-         : range == Range::positive() ? deck::positive()
-         : range == Range::any()      ? deck::any()
-                                      : deck::strictly_between(range.lower, range.upper);
+  if (!range.has_zero) return deck::number_that("other than 0", [](double x) { return x != 0.0; });
+  if (range.upper < Range::infinity)
+    return range.has_lower ? deck::between(range.lower, range.upper)
+                           : deck::strictly_between(range.lower, range.upper);
+  if (range.lower > -Range::infinity)
+    return range.has_lower ? deck::at_least(range.lower) : deck::greater_than(range.lower);
+  return deck::any();
 }
 
 void declare_model(deck::Section<MaterialParameters>& material) {

@@ -45,7 +45,7 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<double>& shares,
                                       const std::vector<material::SmallStrainModuli>& extremes,
                                       bool plane_strain, bool has_empty_space) {
-  const std::vector<material::AnyLaw> laws = material::laws(materials);
+  const std::vector<material::AnyLaw> laws = material::laws_of(materials).laws;
   std::vector<material::Phase> soft, stiff;
   std::string mixture;
   double total = 0.0;

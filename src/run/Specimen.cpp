@@ -74,7 +74,7 @@ bool has_volume_forces(const mechanics::NamedForces& forces) {
 std::vector<material::SmallStrainModuli> extremes_of(
     const base::Communicator& communicator, const material::NamedMaterials& materials,
     const particles::Particles<grid::Device>& particles) {
-  const std::vector<material::AnyLaw> laws = material::laws(materials);
+  const std::vector<material::AnyLaw> laws = material::laws_of(materials).laws;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> least(laws.size(), infinity), greatest(laws.size(), -infinity);
   const particles::HostParticles host = particles::on_host(particles);
@@ -176,8 +176,9 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   const DeckParameters& p = deck.parameters;
   mechanics::Problem problem;
   problem.body = specimen.body;
-  problem.laws = mechanics::LawList{material::laws(p.materials.materials),
-                                    material::vary_in_stiffness(p.materials.materials)};
+  const material::MaterialLaws made = material::laws_of(p.materials.materials);
+  problem.laws = mechanics::LawList{
+      made.laws, material::vary_in_stiffness(p.materials.materials), made.directions};
   problem.laws.extremes = specimen.extremes;
   problem.conditions = p.boundary_conditions.conditions;
   problem.forces = p.external_forces.forces;

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What a family of fibres asks of its law.
+///
+/// A fibre of direction N in the undeformed body is stretched by lambda, lambda^2 = I = N.C.N. A law
+/// of fibres gives its energy as a function of I; with x = I - 1 given, for small stretches keep
+/// their digits in x. It has
+///
+///     // psi and its first two derivatives by I [Pa]
+///     FiberResponse at(double x) const;
+///     // of small stretches, the larger of tension's and compression's: d2psi/dlambda2 at 1 [Pa]
+///     double small_strain_modulus() const;
+///     // in the deck
+///     static const char* name();
+///     static const char* meaning();
+///     template <class Parameters> static void declare(Parameters&);  // as of laws: LawParameters.hpp
+///
+/// the first two for host and device.
+
+#include "stroma/material/LawParameters.hpp"
+
+namespace stroma::material {
+
+/// Energy of a fibre per volume of the body, and its derivatives by I = lambda^2 [Pa].
+struct FiberResponse {
+  double energy, slope, curvature;
+};
+
+/// lambda - 1 of x = lambda^2 - 1, to all digits.
+KOKKOS_INLINE_FUNCTION double stretch_minus_one(double x) { return x / (1.0 + sqrt(1.0 + x)); }
+
+/// From derivatives by the stretch lambda to those by I:
+/// psi' = w' / (2 lambda), psi'' = (w'' - w' / lambda) / (4 I).
+KOKKOS_INLINE_FUNCTION FiberResponse by_square(double energy, double slope, double curvature,
+                                               double stretch) {
+  return {energy, 0.5 * slope / stretch,
+          0.25 * (curvature - slope / stretch) / (stretch * stretch)};
+}
+
+}  // namespace stroma::material
