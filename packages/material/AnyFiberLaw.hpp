@@ -5,10 +5,10 @@
 /// \file
 /// The one list of laws of fibres: what `Fibers|FAMILY|Law` may name.
 
-#include "stroma/material/TaggedUnion.hpp"
 #include "stroma/material/BucklingStiffening.hpp"
 #include "stroma/material/ExponentialLinear.hpp"
 #include "stroma/material/ExponentialPower.hpp"
+#include "stroma/material/TaggedUnion.hpp"
 
 namespace stroma::material {
 

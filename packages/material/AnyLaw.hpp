@@ -5,8 +5,8 @@
 /// \file
 /// What a material of the deck is made of: a matrix, with families of fibres or without.
 
-#include "stroma/material/AnyMatrix.hpp"
 #include "stroma/material/AnyFiberLaw.hpp"
+#include "stroma/material/AnyMatrix.hpp"
 #include "stroma/material/FiberDirections.hpp"
 
 namespace stroma::material {

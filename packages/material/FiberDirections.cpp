@@ -2,6 +2,7 @@
 
 #include "stroma/material/FiberDirections.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -10,7 +11,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846, golden_section = 0.61803398874989485;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -79,23 +80,27 @@ double density(const DistributionParameters& p, const Vector& n, const Vector& a
 std::vector<FiberDirection> directions(const DistributionParameters& p) {
   const Vector axis = normalised(p.direction);
   if (p.distribution == Distribution::single) return {{{axis[0], axis[1], axis[2]}, 1.0}};
+  // The pole of the others is no axis of a specimen: where a ring as a whole passes from tension to
+  // compression, the error is largest.
   const auto frame =
-      frame_along(p.distribution == Distribution::axial ? p.direction : Vector{0.0, 0.0, 1.0});
-  const int around = 4 * p.quadrature;
+      frame_along(p.distribution == Distribution::axial ? p.direction : Vector{0.36, 0.48, 0.8});
   std::vector<FiberDirection> all;
-  double sum = 0.0;
-  for (const GaussPoint& ring : gauss_rule(p.quadrature))
+  double sum = 0.0, start = 0.0;
+  for (const GaussPoint& ring : gauss_rule(p.quadrature)) {
+    const double height = ring.place, radius = std::sqrt(1.0 - height * height);
+    const int around = std::max(12, 4 * static_cast<int>(std::ceil(radius * p.quadrature)));
+    start += golden_section;  // no two rings begin alike
     for (int k = 0; k < around; ++k) {
-      const double angle = 2.0 * pi * (k + 0.5) / around;
-      const double height = ring.place, radius = std::sqrt(1.0 - height * height);
+      const double angle = 2.0 * pi * (k + start) / around;
       Vector n{};
       for (std::size_t d = 0; d < 3; ++d)
         n[d] = radius * (std::cos(angle) * frame[0][d] + std::sin(angle) * frame[1][d]) +
                height * frame[2][d];
-      const double weight = ring.weight * density(p, n, axis);
+      const double weight = ring.weight / around * density(p, n, axis);
       sum += weight;
       all.push_back({{n[0], n[1], n[2]}, weight});
     }
+  }
   for (FiberDirection& direction : all) direction.weight /= sum;
   return all;
 }

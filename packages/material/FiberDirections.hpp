@@ -24,7 +24,7 @@ struct DistributionParameters {
   std::array<double, 3> direction{0.0, 0.0, 1.0};  ///< of single and axial; any length but 0
   std::array<double, 3> axes{1.0, 1.0, 1.0};       ///< a of ellipsoidal, > 0
   double concentration = 0.0;                      ///< b of axial
-  int quadrature = 12;                             ///< rings of directions from pole to equator
+  int quadrature = 16;                             ///< rings of directions from pole to equator
 };
 
 /// Directions in the memory of kernels.
@@ -36,8 +36,9 @@ using FiberDirections = Kokkos::View<FiberDirection*>;
 ///
 /// rho = 1 (spherical), (sum (N_i/a_i)^2)^(-1/2) (ellipsoidal), exp(2 b (N.A)^2) (axial). Fibres have
 /// no sense, f(-N) = f(N): Gauss's rule in the cosine of the polar angle over a half sphere, with n
-/// = quadrature rings, and 4 n equal angles around. Exact for polynomials of N of degree 2 n - 1;
-/// fibres that carry no compression make a kink, by which the error falls as n^-2: docs/theory.md.
+/// = quadrature rings of up to 4 n equal angles, about 3 n^2 directions. Exact for polynomials of N
+/// of degree 10 (n >= 6); fibres that carry no compression make a kink, by which the error falls as
+/// n^-2: docs/theory.md.
 std::vector<FiberDirection> directions(const DistributionParameters& parameters);
 
 }  // namespace stroma::material

@@ -24,7 +24,13 @@ Compressibility compressibility(const NamedMaterials& materials) {
 namespace {
 
 FiberFamily family_of(const FiberParameters& fibers, std::vector<FiberDirections>& kept) {
-  const std::vector<FiberDirection> all = directions(fibers.distribution);
+  DistributionParameters where;
+  where.distribution = fibers.distribution;
+  where.direction = fibers.direction.value_or(where.direction);
+  where.axes = fibers.axes.value_or(where.axes);
+  where.concentration = fibers.concentration.value_or(where.concentration);
+  where.quadrature = fibers.quadrature.value_or(where.quadrature);
+  const std::vector<FiberDirection> all = directions(where);
   const FiberDirections on_device("fiber directions", all.size());
   const auto on_host = Kokkos::create_mirror_view(on_device);
   std::copy(all.begin(), all.end(), on_host.data());

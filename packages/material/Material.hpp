@@ -5,6 +5,7 @@
 /// \file
 /// What each label of the image is made of.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -22,7 +23,11 @@ namespace stroma::material {
 struct FiberParameters {
   int law = 0;                            ///< place in the list of laws of fibres
   std::map<std::string, double> numbers;  ///< the law's, by their names in the deck
-  DistributionParameters distribution;
+  Distribution distribution = Distribution::single;
+  std::optional<std::array<double, 3>> direction;  ///< of single and axial; any length but 0
+  std::optional<std::array<double, 3>> axes;       ///< of ellipsoidal, > 0
+  std::optional<double> concentration;             ///< b of axial
+  std::optional<int> quadrature;                   ///< rings from pole to equator; absent: 16
 };
 
 struct FibersParameters {

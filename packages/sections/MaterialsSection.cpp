@@ -6,8 +6,9 @@
 #include <cstddef>
 
 #include "stroma/base/Log.hpp"
-#include "stroma/material/Models.hpp"
+#include "stroma/sections/FibersSection.hpp"
 #include "stroma/sections/MaterialFieldsSection.hpp"
+#include "stroma/sections/ModelNumbers.hpp"
 
 namespace stroma::sections {
 
@@ -15,53 +16,11 @@ using namespace material;
 
 namespace {
 
-/// One declaration of each number, whichever models have it.
-struct SharedNumber {
-  std::string name, models, meaning;
-  Range admissible;
-  bool is_list;
-};
-
-std::vector<SharedNumber> shared_numbers() {
-  std::vector<SharedNumber> all;
-  for (const Model& model : models())
-    for (const ModelNumber& number : model.numbers) {
-      const auto same = std::find_if(all.begin(), all.end(), [&](const SharedNumber& other) {
-        return other.name == number.name;
-      });
-      if (same == all.end()) {
-        all.push_back(
-            {number.name, model.name, number.meaning, number.admissible, number.longest > 0});
-        continue;
-      }
-      same->models += ", " + model.name;
-      if (same->meaning.find(number.meaning) == std::string::npos)
-        same->meaning += " " + model.name + ": " + number.meaning;
-      if (!(same->admissible == number.admissible)) same->admissible = Range::any();
-    }
-  return all;
-}
-
-deck::Admissible admissible(const Range& range) {
-  if (!range.has_zero) return deck::number_that("other than 0", [](double x) { return x != 0.0; });
-  if (range.upper < Range::infinity)
-    return range.has_lower ? deck::between(range.lower, range.upper)
-                           : deck::strictly_between(range.lower, range.upper);
-  if (range.lower > -Range::infinity)
-    return range.has_lower ? deck::at_least(range.lower) : deck::greater_than(range.lower);
-  return deck::any();
-}
-
 void declare_model(deck::Section<MaterialParameters>& material) {
-  std::vector<std::pair<std::string, int>> names;
-  std::string meaning;
-  for (const Model& model : models()) {
-    names.emplace_back(model.name, static_cast<int>(names.size()));
-    meaning += (meaning.empty() ? "" : ". ") + model.name + ": " + model.meaning;
-  }
-  material.choice("Model", &MaterialParameters::model, names,
-                  meaning + ". Ibar1, Ibar2: invariants of J^(-2/3) C.");
-  for (const SharedNumber& number : shared_numbers()) {
+  const auto known = all_of(models());
+  material.choice("Model", &MaterialParameters::model, choices_among(known),
+                  meanings_of(known) + ". Ibar1, Ibar2: invariants of J^(-2/3) C.");
+  for (const SharedNumber& number : shared_numbers(known)) {
     const std::string described = "Of " + number.models + ". " + number.meaning;
     if (number.is_list)
       material.optional(number.name, &MaterialParameters::lists, admissible(number.admissible),
@@ -76,77 +35,10 @@ void declare_model(deck::Section<MaterialParameters>& material) {
                     "or Lame Modulus [Pa].");
 }
 
-std::string found(double value, const ModelNumber& number) {
-  return base::format("found %g; admissible: ", value) +
-         admissible(number.admissible).describe(deck::detail::value_type<double>());
-}
-
-/// A number that the model asks for. \return whether it is there
-bool check_number(const MaterialParameters& p, const ModelNumber& number,
-                  deck::Findings& findings) {
-  const auto given = p.numbers.find(number.name);
-  const bool has_ratio = number.or_poisson_ratio && p.numbers.count(poisson_ratio_name) > 0;
-  if (given == p.numbers.end()) {
-    if (has_ratio) return true;
-    const Model& model = model_of(p);
-    findings.add(number.or_poisson_ratio ? poisson_ratio_name : number.name,
-                 number.or_poisson_ratio
-                     ? "missing; give it, or \"" + number.name + "\""
-                     : "missing; Model = " + model.name + " takes " + model.listing());
-    return false;
-  }
-  if (has_ratio)
-    findings.add(number.name,
-                 std::string("given beside \"") + poisson_ratio_name + "\"; give one of the two");
-  if (!admissible(number.admissible).allows(given->second))
-    findings.add(number.name, found(given->second, number));
-  return true;
-}
-
-/// A list that the model asks for, as long as its others. \return whether it is there
-bool check_list(const MaterialParameters& p, const ModelNumber& number,
-                const std::vector<double>*& first, deck::Findings& findings) {
-  const auto given = p.lists.find(number.name);
-  if (given == p.lists.end()) {
-    const Model& model = model_of(p);
-    findings.add(number.name, "missing; Model = " + model.name + " takes " + model.listing());
-    return false;
-  }
-  const std::vector<double>& list = given->second;
-  for (const double value : list)
-    if (!admissible(number.admissible).allows(value))
-      findings.add(number.name, found(value, number));
-  if (list.empty() || list.size() > static_cast<std::size_t>(number.longest)) {
-    findings.add(number.name, base::format("found %zu numbers; admissible: 1 to %d of them",
-                                           list.size(), number.longest));
-    return false;
-  }
-  if (first == nullptr) first = &list;
-  if (first->size() == list.size()) return true;
-  findings.add(number.name,
-               base::format("found %zu numbers; admissible: as many as the model's other list, %zu",
-                            list.size(), first->size()));
-  return false;
-}
-
 /// What a model makes of the numbers that a material gives.
-void check_numbers(const MaterialParameters& p, deck::Findings& findings) {
+void check_model(const MaterialParameters& p, deck::Findings& findings) {
   const Model& model = model_of(p);
-  const auto refuse_foreign = [&](const auto& given) {
-    for (const auto& [name, value] : given)
-      if (!model.takes(name))
-        findings.add(
-            name, "is no parameter of Model = " + model.name + "; admissible: " + model.listing());
-  };
-  refuse_foreign(p.numbers);
-  refuse_foreign(p.lists);
-  bool is_complete = true;
-  const std::vector<double>* first_list = nullptr;
-  for (const ModelNumber& number : model.numbers) {
-    const bool is_there = number.longest > 0 ? check_list(p, number, first_list, findings)
-                                             : check_number(p, number, findings);
-    is_complete = is_complete && is_there;
-  }
+  const bool is_complete = check_numbers(model, "Model", p.numbers, p.lists, findings);
   if (!model.has_volumetric_energy && p.volumetric_energy != VolumetricEnergy::logarithmic)
     findings.add("Volumetric Energy", "Model = " + model.name + " has its own energy of volume");
   if (!is_complete) return;
@@ -177,8 +69,9 @@ deck::Section<MaterialsParameters> materials_section() {
   material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
                     "Mass density, for forces per mass and for Deformation Gradient = Projected "
                     "Displacement; there, materials without it count as equally dense.");
+  material.section(fibers_section(), &MaterialParameters::fibers);
   material.section(material_fields_section(), &MaterialParameters::fields);
-  material.check(check_numbers);
+  material.check(check_model);
   material.check([](const MaterialParameters& p, deck::Findings& findings) {
     if (!p.fields || model_of(p).may_vary_in_stiffness) return;
     for (const auto& [name, field] : p.fields->fields)

@@ -177,8 +177,8 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   mechanics::Problem problem;
   problem.body = specimen.body;
   const material::MaterialLaws made = material::laws_of(p.materials.materials);
-  problem.laws = mechanics::LawList{
-      made.laws, material::vary_in_stiffness(p.materials.materials), made.directions};
+  problem.laws = mechanics::LawList{made.laws, material::vary_in_stiffness(p.materials.materials),
+                                    made.directions};
   problem.laws.extremes = specimen.extremes;
   problem.conditions = p.boundary_conditions.conditions;
   problem.forces = p.external_forces.forces;

@@ -63,7 +63,7 @@ class StressKernels {
 struct LawList {
   std::vector<material::AnyLaw> of_material;
   bool vary = false;  ///< particles have a shear modulus of their own (Particles::shear_modulus)
-  std::vector<material::FiberDirections> directions;  ///< those that laws point to
+  std::vector<material::FiberDirections> directions = {};  ///< those that laws point to
 };
 
 /// The kernels for a choice of shape functions, in space or in plane strain, and the laws of all

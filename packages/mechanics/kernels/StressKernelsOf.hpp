@@ -90,10 +90,9 @@ std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
   using material::AnyLaw;
   using material::NeoHookean;
   const std::vector<AnyLaw>& all = laws.of_material;
-  const bool are_neo_hookean =
-      std::all_of(all.begin(), all.end(), [](const AnyLaw& law) {
-        return !law.has_fibers() && law.matrix().is<NeoHookean>();
-      });
+  const bool are_neo_hookean = std::all_of(all.begin(), all.end(), [](const AnyLaw& law) {
+    return !law.has_fibers() && law.matrix().is<NeoHookean>();
+  });
   if (laws.vary || !are_neo_hookean) return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all);
   std::vector<NeoHookean> alike;
   for (const AnyLaw& law : all) alike.push_back(law.matrix().as<NeoHookean>());

@@ -73,29 +73,42 @@ nlohmann::json in_one_form(nlohmann::json reference) {
   return reference;
 }
 
+using Names = std::vector<std::pair<const char*, const char*>>;
+
+/// Numbers and lists of the reference under the deck's names.
+std::string numbers(const nlohmann::json& given, const Names& names) {
+  std::string text;
+  for (const auto& [key, name] : names) {
+    if (!given.contains(key)) continue;
+    std::string value = given.at(key).dump();
+    const bool is_list = given.at(key).is_array();
+    if (is_list) value = "{" + value.substr(1, value.size() - 2) + "}";
+    text += parameter(name, is_list ? "Array(double)" : "double", value);
+  }
+  return text;
+}
+
 /// A material's parameters in the deck, from those of the reference.
 std::string law_parameters(const nlohmann::json& material) {
   const auto model = material.at("law").get<std::string>();
-  std::string text = parameter("Model", "string", model);
-  for (const auto& [key, name] : {std::pair{"C1", "C1 [Pa]"},
-                                  {"C2", model == "Veronda-Westmann" ? "C2" : "C2 [Pa]"},
-                                  {"C", "C [Pa]"},
-                                  {"M", "M"},
-                                  {"mu", "Shear Modulus [Pa]"},
-                                  {"lam", "Lame Modulus [Pa]"},
-                                  {"beta", "Beta"},
-                                  {"K", "Bulk Modulus [Pa]"},
-                                  {"nu", "Poisson Ratio"}}) {
-    if (!material.contains(key)) continue;
-    std::string value = material.at(key).dump();
-    std::string type = "double";
-    if (material.at(key).is_array()) {
-      type = "Array(double)";
-      value = "{" + value.substr(1, value.size() - 2) + "}";
-    }
-    text += parameter(name, type, value);
-  }
-  return text;
+  std::string text = parameter("Model", "string", model) +
+                     numbers(material, {{"C1", "C1 [Pa]"},
+                                        {"C2", model == "Veronda-Westmann" ? "C2" : "C2 [Pa]"},
+                                        {"C", "C [Pa]"},
+                                        {"M", "M"},
+                                        {"mu", "Shear Modulus [Pa]"},
+                                        {"lam", "Lame Modulus [Pa]"},
+                                        {"beta", "Beta"},
+                                        {"K", "Bulk Modulus [Pa]"},
+                                        {"nu", "Poisson Ratio"}});
+  if (!material.contains("fiber")) return text;
+  return text + "<ParameterList name=\"Fibers\"><ParameterList name=\"family\">\n" +
+         parameter("Law", "string", "Exponential-Power") +
+         numbers(material.at("fiber"), {{"ksi", "Xi [Pa]"},
+                                        {"alpha", "Alpha"},
+                                        {"beta", "Beta"},
+                                        {"direction", "Direction"}}) +
+         "</ParameterList></ParameterList>\n";
 }
 
 }  // namespace

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/sections/FibersSection.hpp"
+
+#include "stroma/base/Log.hpp"
+#include "stroma/sections/ModelNumbers.hpp"
+
+namespace stroma::sections {
+
+using namespace material;
+
+namespace {
+
+/// What a distribution asks for, and what it leaves unused.
+void check_distribution(const FiberParameters& p, deck::Findings& findings) {
+  const bool is_axial = p.distribution == Distribution::axial;
+  const bool has_axis = p.distribution == Distribution::single || is_axial;
+  const bool is_ellipsoidal = p.distribution == Distribution::ellipsoidal;
+  const auto ask = [&](const char* name, bool is_given, bool is_used, const char* by) {
+    if (is_used && !is_given) findings.add(name, std::string("missing; ") + by + " asks for it");
+    if (!is_used && is_given) findings.add(name, std::string("is used with ") + by + " only");
+  };
+  ask("Direction", p.direction.has_value(), has_axis, "Distribution = Single or Axial");
+  ask("Axes", p.axes.has_value(), is_ellipsoidal, "Distribution = Ellipsoidal");
+  ask("Concentration", p.concentration.has_value(), is_axial, "Distribution = Axial");
+  if (p.distribution == Distribution::single && p.quadrature)
+    findings.add("Quadrature", "is not used with Distribution = Single");
+  if (p.direction && *p.direction == std::array<double, 3>{})
+    findings.add("Direction", "has no length; admissible: three numbers, not all 0");
+}
+
+}  // namespace
+
+deck::Section<FibersParameters> fibers_section() {
+  const auto known = all_of(fiber_models());
+  deck::Section<FiberParameters> family("FAMILY", "One family of fibres; its name is the user's.");
+  family.choice("Law", &FiberParameters::law, choices_among(known),
+                "Energy of the fibres, by I_n = N.C.N, the square of their stretch l: " +
+                    meanings_of(known) + ".");
+  for (const SharedNumber& number : shared_numbers(known))
+    family.optional(number.name, &FiberParameters::numbers, admissible(number.admissible),
+                    "Of " + number.models + ". " + number.meaning);
+  family.choice(
+      "Distribution", &FiberParameters::distribution,
+      {{"Single", Distribution::single},
+       {"Spherical", Distribution::spherical},
+       {"Ellipsoidal", Distribution::ellipsoidal},
+       {"Axial", Distribution::axial}},
+      "Where the fibres point in the undeformed body. Single: along Direction. Spherical: "
+      "everywhere alike. Ellipsoidal: with weight (sum (N_i/a_i)^2)^(-1/2), a the Axes. "
+      "Axial: with weight exp(2 b (N.A)^2), A along Direction, b the Concentration. "
+      "Energies are means over the directions; FEBio's distributions integrate over the "
+      "sphere, which is 4 pi times the mean where their weight is 1.");
+  family.optional("Direction", &FiberParameters::direction, deck::any(),
+                  "x, y, z of Single and Axial; any length but 0.");
+  family.optional("Axes", &FiberParameters::axes, deck::positive(),
+                  "a_x, a_y, a_z of Ellipsoidal.");
+  family.optional("Concentration", &FiberParameters::concentration, deck::any(),
+                  "b of Axial; 0: spherical, negative: around the plane across Direction.");
+  family.optional("Quadrature", &FiberParameters::quadrature, deck::between(2, 64),
+                  "Rings of directions from pole to equator, n: about 3 n^2 directions. The error "
+                  "of the stress falls as n^-2; absent: 16, good to 1e-3 at 20 % strain.");
+  family.check([](const FiberParameters& p, deck::Findings& findings) {
+    check_numbers(fiber_models()[static_cast<std::size_t>(p.law)], "Law", p.numbers, {}, findings);
+  });
+  family.check(check_distribution);
+
+  deck::Section<FibersParameters> section(
+      "Fibers",
+      "Families of fibres embedded in the material, one sublist each, named by the user.");
+  section.named_sections(family, &FibersParameters::families);
+  section.check([](const FibersParameters& p, deck::Findings& findings) {
+    const std::size_t most = AnyLaw::most_families;
+    if (p.families.size() > most)
+      findings.add(p.families[most].first,
+                   base::format("family %zu; admissible: at most %zu", most + 1, most));
+  });
+  return section;
+}
+
+}  // namespace stroma::sections
