@@ -276,11 +276,25 @@ bool is_word(const tree::Parameter& parameter) {
   return parameter.form != tree::Form::untyped_text || !is_bracketed;
 }
 
+/// Where a list of any length of numbers is asked for, a number alone is a list of one.
+std::optional<Value> list_of_one(const tree::Parameter& parameter, const ValueType& type) {
+  const bool is_free = type.is_array && type.length == 0 && type.scalar == Scalar::number;
+  if (!is_free || parameter.form == tree::Form::sequence) return std::nullopt;
+  const ValueType* declared = find_type(parameter.type);
+  if (parameter.form == tree::Form::typed_text &&
+      (declared == nullptr || declared->is_array || !may_stand_for(declared->scalar, type.scalar)))
+    return std::nullopt;
+  const Interpretation number = read_scalar(entry_of(parameter), {Scalar::number, false, 0});
+  if (!number.value) return std::nullopt;
+  return Value(std::vector<double>{std::get<double>(*number.value)});
+}
+
 }  // namespace
 
 Interpretation interpret(const tree::Parameter& parameter, const ValueType& type) {
   using tree::Form;
   if (parameter.form == Form::nothing) return {std::nullopt, "has no value"};
+  if (const auto list = list_of_one(parameter, type)) return {list, ""};
   if (type.or_word && is_word(parameter)) return read_scalar(entry_of(parameter), ValueType{});
   if (parameter.form == Form::typed_text) {
     const std::string problem = type_problem(parameter, type);

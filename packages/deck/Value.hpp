@@ -40,7 +40,7 @@ struct Interpretation {
 /// Reads a parameter as a value of a type. Nothing is repaired: the whole text must be one number,
 /// one of true and false, or a bracketed list of the right length; integers and numbers must fit
 /// their type and be finite; a type declared in XML must be the type asked for (integers may stand
-/// for numbers).
+/// for numbers, and a number for a list of any length of numbers).
 Interpretation interpret(const tree::Parameter& parameter, const ValueType& type);
 
 /// The same when nothing but the text says what the type is: int, long long, double, bool, string

@@ -8,6 +8,7 @@
 #include "stroma/material/ArrudaBoyce.hpp"
 #include "stroma/material/CoupledNeoHookean.hpp"
 #include "stroma/material/HolmesMow.hpp"
+#include "stroma/material/HolzapfelGasserOgden.hpp"
 #include "stroma/material/MooneyRivlin.hpp"
 #include "stroma/material/NeoHookean.hpp"
 #include "stroma/material/Ogden.hpp"
@@ -25,6 +26,7 @@ using AnyMatrix = OneOf<NeoHookean,         //
                         Yeoh,               //
                         VerondaWestmann,    //
                         HolmesMow,          //
-                        ArrudaBoyce>;
+                        ArrudaBoyce,        //
+                        HolzapfelGasserOgden>;
 
 }  // namespace stroma::material

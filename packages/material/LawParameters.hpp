@@ -10,7 +10,8 @@
 ///     parameters.volumetric_energy(&L::volumetric_energy);
 ///
 /// or, of a list, parameters.numbers("C [Pa]", &L::c, &L::terms, Range::any(), "Moduli."), with
-/// double c[n] and int terms; lists of a law have the same length. The deck's section, its reference and the reader follow. A header of a law needs no deck.
+/// double c[n] and int terms; lists of a law have the same length; or, of directions of fibres,
+/// parameters.directions(&L::direction, &L::families), double direction[n][3]. The deck's section, its reference and the reader follow. A header of a law needs no deck.
 
 #include <limits>
 
@@ -18,10 +19,10 @@
 
 namespace stroma::material {
 
-/// The admissible values of a number: between two, the upper left out.
+/// The admissible values of a number: between two, themselves included if it is closed.
 struct Range {
   double lower, upper;
-  bool has_lower = false;
+  bool is_closed = false;
   bool has_zero = true;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,7 +33,7 @@ struct Range {
   static constexpr Range at_least(double bound) { return {bound, infinity, true}; }
   static constexpr Range between(double low, double high) { return {low, high, true}; }
   constexpr bool operator==(const Range& other) const {
-    return lower == other.lower && upper == other.upper && has_lower == other.has_lower &&
+    return lower == other.lower && upper == other.upper && is_closed == other.is_closed &&
            has_zero == other.has_zero;
   }
 };

@@ -21,22 +21,26 @@ Compressibility compressibility(const NamedMaterials& materials) {
   return all;
 }
 
-namespace {
-
-FiberFamily family_of(const FiberParameters& fibers, std::vector<FiberDirections>& kept) {
+DistributionParameters distribution_of(const FiberParameters& fibers) {
   DistributionParameters where;
   where.distribution = fibers.distribution;
   where.direction = fibers.direction.value_or(where.direction);
   where.axes = fibers.axes.value_or(where.axes);
   where.concentration = fibers.concentration.value_or(where.concentration);
   where.quadrature = fibers.quadrature.value_or(where.quadrature);
-  const std::vector<FiberDirection> all = directions(where);
+  return where;
+}
+
+namespace {
+
+FiberFamily family_of(const FiberParameters& fibers, std::vector<FiberDirections>& kept) {
+  const std::vector<FiberDirection> all = directions(distribution_of(fibers));
   const FiberDirections on_device("fiber directions", all.size());
   const auto on_host = Kokkos::create_mirror_view(on_device);
   std::copy(all.begin(), all.end(), on_host.data());
   Kokkos::deep_copy(on_device, on_host);
   kept.push_back(on_device);
-  return {fiber_models()[static_cast<std::size_t>(fibers.law)].law(fibers), on_device.data(),
+  return {fiber_models()[static_cast<std::size_t>(*fibers.law)].law(fibers), on_device.data(),
           static_cast<int>(all.size())};
 }
 
@@ -46,7 +50,7 @@ MaterialLaws laws_of(const NamedMaterials& materials) {
   MaterialLaws all;
   for (const auto& [name, material] : materials) {
     AnyLaw law = model_of(material).law(material);
-    if (material.fibers)
+    if (material.fibers && !model_of(material).takes_directions)
       for (const auto& family : material.fibers->families)
         law.add(family_of(family.second, all.directions));
     all.laws.push_back(law);

@@ -21,7 +21,7 @@ namespace stroma::material {
 
 /// A family of fibres: the deck's list `Fibers|FAMILY`.
 struct FiberParameters {
-  int law = 0;                            ///< place in the list of laws of fibres
+  std::optional<int> law;                 ///< place in the list of laws of fibres
   std::map<std::string, double> numbers;  ///< the law's, by their names in the deck
   Distribution distribution = Distribution::single;
   std::optional<std::array<double, 3>> direction;  ///< of single and axial; any length but 0
@@ -62,6 +62,9 @@ struct Compressibility {
 
 /// Of at least one material.
 Compressibility compressibility(const NamedMaterials& materials);
+
+/// The family's distribution, with the defaults of what the deck does not give.
+DistributionParameters distribution_of(const FiberParameters& fibers);
 
 /// The law of each material, by index, and the directions of fibres that they point to.
 struct MaterialLaws {

@@ -7,6 +7,15 @@
 namespace stroma::material {
 namespace {
 
+/// A number of one model may be a list of another, and is then a list of one.
+double number_of(const MaterialParameters& given, const std::string& name) {
+  const auto found = given.numbers.find(name);
+  return found != given.numbers.end() ? found->second : given.lists.at(name).front();
+}
+double number_of(const FiberParameters& given, const std::string& name) {
+  return given.numbers.at(name);
+}
+
 /// What L::declare() says, as a model of the deck.
 template <class Law, class ModelOfLaw>
 class Describing {
@@ -26,6 +35,10 @@ class Describing {
                                const char* meaning) {
     model_.numbers.push_back({name, meaning, admissible, true});
   }
+  template <int n>
+  void directions(double (Law::*)[n][3], int Law::*) {
+    model_.takes_directions = true;
+  }
   void volumetric_energy(VolumetricEnergy Law::*) { model_.has_volumetric_energy = true; }
 
  private:
@@ -40,7 +53,7 @@ class Filling {
   const Law& law() const { return law_; }
 
   void number(const char* name, double Law::*member, Range, const char*) {
-    law_.*member = given_.numbers.at(name);
+    law_.*member = number_of(given_, name);
   }
   template <int n>
   void numbers(const char* name, double (Law::*member)[n], int Law::*count, Range, const char*) {
@@ -56,6 +69,15 @@ class Filling {
                        ? found->second
                        : from_shear_modulus_and_poisson_ratio(
                              law_.small_strain().shear, given_.numbers.at(poisson_ratio_name));
+  }
+  template <int n>
+  void directions(double (Law::*member)[n][3], int Law::*count) {
+    static_assert(n == AnyLaw::most_families, "as many as a deck may have");
+    law_.*count = 0;
+    for (const auto& family : given_.fibers->families) {
+      const FiberDirection only = material::directions(distribution_of(family.second)).front();
+      std::copy_n(only.n, 3, (law_.*member)[(law_.*count)++]);
+    }
   }
   void volumetric_energy(VolumetricEnergy Law::*member) { law_.*member = given_.volumetric_energy; }
 

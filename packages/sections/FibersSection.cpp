@@ -61,7 +61,9 @@ deck::Section<FibersParameters> fibers_section() {
                   "Rings of directions from pole to equator, n: about 3 n^2 directions. The error "
                   "of the stress falls as n^-2; absent: 16, good to 1e-3 at 20 % strain.");
   family.check([](const FiberParameters& p, deck::Findings& findings) {
-    check_numbers(fiber_models()[static_cast<std::size_t>(p.law)], "Law", p.numbers, {}, findings);
+    if (p.law)
+      check_numbers(fiber_models()[static_cast<std::size_t>(*p.law)], "Law", p.numbers, {},
+                    findings);
   });
   family.check(check_distribution);
 

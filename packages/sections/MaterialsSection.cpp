@@ -41,7 +41,7 @@ void check_model(const MaterialParameters& p, deck::Findings& findings) {
   const bool is_complete = check_numbers(model, "Model", p.numbers, p.lists, findings);
   if (!model.has_volumetric_energy && p.volumetric_energy != VolumetricEnergy::logarithmic)
     findings.add("Volumetric Energy", "Model = " + model.name + " has its own energy of volume");
-  if (!is_complete) return;
+  if (!is_complete || (model.takes_directions && !p.fibers)) return;
   const SmallStrainModuli moduli = model.law(p).small_strain();
   const auto refuse = [&](const char* which, double modulus) {
     if (!(modulus > 0.0))
@@ -52,6 +52,32 @@ void check_model(const MaterialParameters& p, deck::Findings& findings) {
   };
   refuse("shear", moduli.shear);
   refuse("bulk", moduli.bulk);
+}
+
+/// Fibres have laws of their own, unless the model asks for their directions alone.
+void check_fibers(const MaterialParameters& p, deck::Findings& findings) {
+  const Model& model = model_of(p);
+  if (!p.fibers) {
+    if (model.takes_directions)
+      findings.add("Fibers",
+                   "missing; Model = " + model.name + " takes the directions of families");
+    return;
+  }
+  for (const auto& [name, family] : p.fibers->families) {
+    const std::string where = "Fibers|" + name + "|";
+    if (!model.takes_directions && !family.law) {
+      std::string words;
+      for (const FiberModel& law : fiber_models()) words += (words.empty() ? "" : ", ") + law.name;
+      findings.add(where + "Law", "missing; admissible: " + words);
+    }
+    if (!model.takes_directions) continue;
+    if (family.law || !family.numbers.empty())
+      findings.add(where + (family.law ? "Law" : family.numbers.begin()->first),
+                   "Model = " + model.name + " takes the directions of fibres alone");
+    if (family.distribution != Distribution::single)
+      findings.add(where + "Distribution", "admissible with Model = " + model.name +
+                                               ": \"Single\"; Kappa disperses fibres");
+  }
 }
 
 }  // namespace
@@ -72,6 +98,7 @@ deck::Section<MaterialsParameters> materials_section() {
   material.section(fibers_section(), &MaterialParameters::fibers);
   material.section(material_fields_section(), &MaterialParameters::fields);
   material.check(check_model);
+  material.check(check_fibers);
   material.check([](const MaterialParameters& p, deck::Findings& findings) {
     if (!p.fields || model_of(p).may_vary_in_stiffness) return;
     for (const auto& [name, field] : p.fields->fields)

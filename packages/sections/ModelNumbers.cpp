@@ -34,10 +34,10 @@ std::vector<SharedNumber> shared_numbers(const std::vector<const NamedNumbers*>&
 deck::Admissible admissible(const Range& range) {
   if (!range.has_zero) return deck::number_that("other than 0", [](double x) { return x != 0.0; });
   if (range.upper < Range::infinity)
-    return range.has_lower ? deck::between(range.lower, range.upper)
+    return range.is_closed ? deck::between(range.lower, range.upper)
                            : deck::strictly_between(range.lower, range.upper);
   if (range.lower > -Range::infinity)
-    return range.has_lower ? deck::at_least(range.lower) : deck::greater_than(range.lower);
+    return range.is_closed ? deck::at_least(range.lower) : deck::greater_than(range.lower);
   return deck::any();
 }
 
@@ -76,9 +76,11 @@ class Check {
 
   /// \return whether the number is there
   bool number(const ModelNumber& number) const {
-    const auto given = numbers_.find(number.name);
     const bool has_ratio = number.or_poisson_ratio && numbers_.count(poisson_ratio_name) > 0;
-    if (given == numbers_.end()) {
+    const std::vector<double> given = values_of(number.name);
+    if (given.size() > 1)
+      findings_.add(number.name, base::format("found %zu numbers; admissible: one", given.size()));
+    if (given.empty()) {
       if (has_ratio) return true;
       if (number.or_poisson_ratio)
         findings_.add(poisson_ratio_name, "missing; give it, or \"" + number.name + "\"");
@@ -89,7 +91,7 @@ class Check {
     if (has_ratio)
       findings_.add(number.name, std::string("given beside \"") + poisson_ratio_name +
                                      "\"; give one of the two");
-    check_range(number, given->second);
+    check_range(number, given.front());
     return true;
   }
 
@@ -117,6 +119,13 @@ class Check {
   }
 
  private:
+  /// A number of one model may be a list of another, and is then a list of one.
+  std::vector<double> values_of(const std::string& name) const {
+    const auto number = numbers_.find(name);
+    if (number != numbers_.end()) return {number->second};
+    const auto list = lists_.find(name);
+    return list != lists_.end() ? list->second : std::vector<double>();
+  }
   void add_missing(const ModelNumber& number) const {
     findings_.add(number.name,
                   "missing; " + kind_ + " = " + model_.name + " takes " + model_.listing());

@@ -118,6 +118,18 @@ TEST(DeckValue, Arrays) {
   EXPECT_EQ(problem("{1.5}", {Scalar::integer, true, 0}), "entry 1: \"1.5\" is not an integer");
 }
 
+// Where the length is free, a number is a list of one, whatever XML calls it.
+TEST(DeckValue, ANumberIsAListOfOne) {
+  const ValueType some{Scalar::number, true, 0};
+  EXPECT_EQ(value<std::vector<double>>("2.5", some), std::vector<double>{2.5});
+  for (const char* type : {"double", "int"})
+    EXPECT_TRUE(interpret(written("3", type), some).value.has_value()) << type;
+  EXPECT_FALSE(interpret(written("3", "string"), some).value.has_value());
+  EXPECT_FALSE(interpret(written("3", "Array(double)"), some).value.has_value());
+  EXPECT_EQ(problem("soft", some), "\"soft\" is not a list; write {a, b}");
+  EXPECT_EQ(problem("3", {Scalar::integer, true, 0}), "\"3\" is not a list; write {a, b}");
+}
+
 // XML uses Teuchos's own brackets only, so that Teuchos would read the same deck.
 TEST(DeckValue, XmlArraysAreWrittenAsTeuchosDoes) {
   const ValueType some{Scalar::integer, true, 0};

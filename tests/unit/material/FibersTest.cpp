@@ -165,13 +165,8 @@ const CoupledNeoHookean gel{520.8, 700.0};
 const Tensor3 H{{{0.10, 0.30, -0.05}, {-0.20, 0.05, 0.15}, {0.08, -0.12, 0.02}}};
 const Tensor3 D{{{0.7, -0.4, 0.2}, {0.5, 0.3, -0.6}, {-0.1, 0.8, 0.9}}};
 
-// V-FIBER-3. Two single families and a spherical one, whose energy has no kinks of second order.
-TEST(Fibers, StressAndTangentAreDerivatives) {
-  Body body{AnyLaw(gel)};
-  body.add(squares, along(1, 3, 1));
-  body.add(collagen, along(1, 1, 0));
-  body.add(powers, spherical());
-  const AnyLaw& law = body.law;
+/// V-FIBER-3, of order 2.
+void expect_derivatives(const AnyLaw& law) {
   const Tensor3 F = identity() + H, dF = D * F;
   const auto piola = [&](const Tensor3& at) {
     return kirchhoff_stress(law, at) * transpose(inverse(identity() + at));
@@ -201,6 +196,39 @@ TEST(Fibers, StressAndTangentAreDerivatives) {
   EXPECT_LT(tangent_error(1e-5), 1e-3);
   EXPECT_LT(norm(tangent(law, H).tau - kirchhoff_stress(law, H)),
             1e-12 * norm(tangent(law, H).tau));
+}
+
+// Two single families and a spherical one, whose energy has no kinks of second order.
+TEST(Fibers, StressAndTangentAreDerivatives) {
+  Body body{AnyLaw(gel)};
+  body.add(squares, along(1, 3, 1));
+  body.add(collagen, along(1, 1, 0));
+  body.add(powers, spherical());
+  expect_derivatives(body.law);
+}
+
+const double third = 1.0 / 3.0;
+const HolzapfelGasserOgden dispersed{
+    {3000.0}, 400.0, 200.0, 3.0, 0.1, 2, {{third, 2 * third, 2 * third}, {-0.6, 0.8, 0.0}}};
+
+// At H, its first family is stretched, and the second shortened.
+TEST(HolzapfelGasserOgden, StressAndTangentAreDerivatives) { expect_derivatives(dispersed); }
+
+// With Kappa = 1/3 directions do not matter: E = (Ibar1 - 3) / 3, an isotropic law.
+TEST(HolzapfelGasserOgden, EverywhereAlikeIsIsotropic) {
+  HolzapfelGasserOgden law = dispersed;
+  law.kappa = third;
+  law.families = 1;
+  const double x = isochoric_first_invariant_minus_3(H), e = x / 3.0;
+  EXPECT_NEAR(
+      energy(law, H),
+      200.0 * x + 200.0 / 6.0 * std::expm1(3.0 * e * e) + law.energy_of_volume(log_jacobian(H)),
+      1e-11 * 400.0);
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  const Tensor3 Q{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+  const Tensor3 tau = kirchhoff_stress(law, H);
+  EXPECT_LT(norm(kirchhoff_stress(law, (identity() + H) * Q - identity()) - tau),
+            1e-12 * norm(tau));
 }
 
 TEST(Fibers, RotateWithTheSpecimen) {

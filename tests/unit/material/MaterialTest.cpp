@@ -33,8 +33,10 @@ TEST(Material, LawsAndLabelsKeepTheUsersOrder) {
   EXPECT_NEAR(of_material[0].matrix().as<NeoHookean>().bulk_modulus, 2430.4, 1e-10);
   EXPECT_EQ(of_material[1].matrix().as<NeoHookean>().bulk_modulus, 9000.0);
   EXPECT_EQ(of_material[1].matrix().as<NeoHookean>().shear_modulus, 1041.6);
-  EXPECT_EQ(of_material[0].matrix().as<NeoHookean>().volumetric_energy, VolumetricEnergy::logarithmic);
-  EXPECT_EQ(of_material[1].matrix().as<NeoHookean>().volumetric_energy, VolumetricEnergy::quadratic);
+  EXPECT_EQ(of_material[0].matrix().as<NeoHookean>().volumetric_energy,
+            VolumetricEnergy::logarithmic);
+  EXPECT_EQ(of_material[1].matrix().as<NeoHookean>().volumetric_energy,
+            VolumetricEnergy::quadratic);
   EXPECT_NEAR(compressibility(materials).largest_poisson_ratio, 24916.8 / 56083.2, 1e-15);
   const auto index = material_of_label(materials);
   EXPECT_EQ(index.at(4), 0);

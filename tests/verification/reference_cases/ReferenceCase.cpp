@@ -11,6 +11,10 @@ std::string parameter(const std::string& name, const std::string& type, const st
   return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
 }
 
+std::string list(const std::string& name, const std::string& content) {
+  return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
+}
+
 std::vector<CaseCondition> conditions_of(const std::string& name) {
   const auto strain = [](const char* value) { return parameter("Strain", "double", value); };
   switch (name.front()) {
@@ -101,14 +105,18 @@ std::string law_parameters(const nlohmann::json& material) {
                                         {"beta", "Beta"},
                                         {"K", "Bulk Modulus [Pa]"},
                                         {"nu", "Poisson Ratio"}});
-  if (!material.contains("fiber")) return text;
-  return text + "<ParameterList name=\"Fibers\"><ParameterList name=\"family\">\n" +
-         parameter("Law", "string", "Exponential-Power") +
-         numbers(material.at("fiber"), {{"ksi", "Xi [Pa]"},
-                                        {"alpha", "Alpha"},
-                                        {"beta", "Beta"},
-                                        {"direction", "Direction"}}) +
-         "</ParameterList></ParameterList>\n";
+  std::string families;
+  if (material.contains("fiber"))
+    families += list("family", parameter("Law", "string", "Exponential-Power") +
+                                   numbers(material.at("fiber"), {{"ksi", "Xi [Pa]"},
+                                                                  {"alpha", "Alpha"},
+                                                                  {"beta", "Beta"},
+                                                                  {"direction", "Direction"}}));
+  if (material.contains("fibers"))
+    for (const auto& direction : material.at("fibers"))
+      families += list("family " + std::to_string(families.size()),
+                       numbers({{"direction", direction}}, {{"direction", "Direction"}}));
+  return families.empty() ? text : text + list("Fibers", families);
 }
 
 }  // namespace
@@ -157,9 +165,6 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
     text.precision(17);
     text << "{" << a[0] * factor << ", " << a[1] * factor << ", " << a[2] * factor << "}";
     return text.str();
-  };
-  const auto list = [](const std::string& name, const std::string& content) {
-    return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
   };
   const auto material = [&](int label, const char* mu) {
     const std::string text = parameter("Label", "int", std::to_string(label));

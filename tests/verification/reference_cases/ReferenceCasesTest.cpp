@@ -141,16 +141,15 @@ TEST_P(ReferenceCases, AreReproduced) {
   compare_history(reference, History(folder.path() / "two" / "history.csv"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Data, ReferenceCases,
-                         ::testing::Values("A_uniform4_gauss", "A_uniform4_voxel", "B_cyl8_gauss",
-                                           "B_cyl8_voxel", "C_cyl8_free_gauss", "C_cyl8_free_voxel",
-                                           "D_circle8_planestrain_gauss",
-                                           "D_circle8_planestrain_voxel", "E_confined_compression",
-                                           "E_simple_shear", "F_nu0495_n4_std", "F_nu0495_n4_q1p0",
-                                           "F_nu0495_n8_std", "F_nu0495_n8_q1p0",
-                                           "L1_mooney_rivlin", "L2_veronda_westmann",
-                                           "L3_holmes_mow", "L4_ogden", "L6_fibers_exp_pow"),
-                         [](const auto& file) { return file.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Data, ReferenceCases,
+    ::testing::Values("A_uniform4_gauss", "A_uniform4_voxel", "B_cyl8_gauss", "B_cyl8_voxel",
+                      "C_cyl8_free_gauss", "C_cyl8_free_voxel", "D_circle8_planestrain_gauss",
+                      "D_circle8_planestrain_voxel", "E_confined_compression", "E_simple_shear",
+                      "F_nu0495_n4_std", "F_nu0495_n4_q1p0", "F_nu0495_n8_std", "F_nu0495_n8_q1p0",
+                      "L1_mooney_rivlin", "L2_veronda_westmann", "L3_holmes_mow", "L4_ogden",
+                      "L5_hgo", "L6_fibers_exp_pow"),
+    [](const auto& file) { return file.param; });
 
 }  // namespace
 }  // namespace stroma::test
