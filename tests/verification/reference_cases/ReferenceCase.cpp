@@ -26,9 +26,10 @@ std::vector<CaseCondition> conditions_of(const std::string& name) {
     case 'E':
       break;
     case 'L': {
-      const std::string moved = name[1] == '4' ? parameter("Displacement Gradient", "Array(double)",
-                                                           "{0, 0.3, 0, 0, 0, 0, 0, 0, 0}")
-                                               : strain(name[1] == '3' ? "-0.20" : "0.20");
+      const std::string moved =
+          name[1] == '4' || name[1] == '6'
+              ? parameter("Displacement Gradient", "Array(double)", "{0, 0.3, 0, 0, 0, 0, 0, 0, 0}")
+              : strain(name[1] == '3' ? "-0.20" : "0.20");
       return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", moved, "F_y1"}};
     }
     default:  // clamped grips
@@ -103,6 +104,10 @@ std::string law_parameters(const nlohmann::json& material) {
                                         {"mu", "Shear Modulus [Pa]"},
                                         {"lam", "Lame Modulus [Pa]"},
                                         {"beta", "Beta"},
+                                        {"c", "C [Pa]"},
+                                        {"k1", "K1 [Pa]"},
+                                        {"k2", "K2"},
+                                        {"kappa", "Kappa"},
                                         {"K", "Bulk Modulus [Pa]"},
                                         {"nu", "Poisson Ratio"}});
   std::string families;
