@@ -7,7 +7,7 @@
 #
 #   --root DIR      where the root is; else build/roots/SUITE. It takes 8 GB and may lie outside the project
 #   --part PART     demo: cmake/demo.sh only; test: the tests only; else both. On sid the tests are those of the preset
-#                   release that are marked unit or verification. user: the demo by one who is not root and may not
+#                   release that are marked unit or verification, and the applications that couple. user: the demo by one who is not root and may not
 #                   write to the clone
 #   --ccache DIR    a folder of compiled objects to share between roots; else one inside the root
 #
@@ -110,4 +110,5 @@ else
     cmake --build --preset release --parallel "$(nproc)" --target stroma unit_tests verification_tests'
   timed 'unit and verification tests' "ctest --test-dir build/release --output-on-failure --parallel \"\$(nproc)\" \
     --label-regex 'unit|verification'"
+  timed 'applications that couple' "ctest --test-dir build/release --output-on-failure --tests-regex coupling"
 fi
