@@ -68,7 +68,7 @@ void MomentumBalance::find_supports(bool is_refused_if_loose) {
     for (const auto& term : terms_) term->visit_held(pieces, visit);
   };
   for (const auto& term : terms_)
-    if (const auto load = term->dead_load(); load != Teuchos::null) others.loads.push_back(load);
+    for (const auto& load : term->dead_loads()) others.loads.push_back(load);
   if (body_.particles().base_gradient.extent(0) != 0) {
     const grid::Vector at_rest(owned_map());
     find_steady_forces(state(at_rest));

@@ -58,6 +58,10 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       "Stiffness of the springs of Imposed By = Penalty: per area, Penalty Factor * (K + 4/3 mu) / "
       "length of the body along the face's normal. They lower the force by about 1 / Penalty "
       "Factor. Without it: 2e4.");
+  condition.optional(
+      "Load Curve", &BoundaryCondition::load_curve, deck::not_empty(),
+      "The name of one of the Load Curves, by which the value is multiplied; without "
+      "it, by the load factor.");
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
       const char c = p.components[n];

@@ -26,6 +26,10 @@ deck::Section<ExternalForcesParameters> external_forces_section() {
                 {"z-", Face::z_lower},
                 {"z+", Face::z_upper}},
                "The face of the body's box on which a Traction acts.");
+  force.optional(
+      "Load Curve", &ExternalForce::load_curve, deck::not_empty(),
+      "The name of one of the Load Curves, by which the force is multiplied; without it, "
+      "by the load factor.");
   force.check([](const ExternalForce& p, deck::Findings& findings) {
     const int given = (p.body_force ? 1 : 0) + (p.acceleration ? 1 : 0) + (p.traction ? 1 : 0);
     if (given != 1)

@@ -2,9 +2,8 @@
 
 #include "stroma/sections/MaterialFieldsSection.hpp"
 
-#include <algorithm>
-
 #include "stroma/base/Log.hpp"
+#include "stroma/sections/Ascending.hpp"
 
 namespace stroma::sections {
 
@@ -28,12 +27,7 @@ deck::Section<MaterialFields> material_fields_section() {
     if (p.values.size() != p.intensities.size())
       findings.add("Values", base::format("%zu numbers for %zu Intensities; admissible: one each",
                                           p.values.size(), p.intensities.size()));
-    const auto& x = p.intensities;
-    const auto fallen =
-        std::adjacent_find(x.begin(), x.end(), [](double a, double b) { return !(a < b); });
-    if (fallen != x.end())
-      findings.add("Intensities", base::format("%g follows %g; admissible: ascending numbers",
-                                               *(fallen + 1), *fallen));
+    refuse_descending("Intensities", p.intensities, findings);
   });
 
   deck::Section<MaterialFields> section(

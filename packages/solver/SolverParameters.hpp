@@ -7,6 +7,8 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
+#include <optional>
+#include <vector>
 
 namespace stroma::solver {
 
@@ -28,8 +30,17 @@ struct SolverParameters {
 };
 
 struct LoadingParameters {
-  int steps = 10;
-  double smallest_step = 1e-4;  ///< of the full load
+  std::optional<int> steps;                       ///< equal ones; absent: `times`, or 10
+  double smallest_step = 1e-4;                    ///< of the full load
+  std::optional<std::vector<double>> times = {};  ///< ends of the steps [s], ascending, > 0
+  std::optional<double> duration =
+      {};  ///< [s]; absent: the last of `times`, or time is the load factor
+
+  int equal_steps() const { return steps.value_or(10); }
+  /// Whether time has a meaning of its own.
+  bool has_time() const { return duration || times; }
+  /// Seconds at full load; 1 where time has no meaning of its own.
+  double seconds() const { return duration.value_or(times ? times->back() : 1.0); }
 };
 
 }  // namespace stroma::solver

@@ -7,21 +7,43 @@
 
 namespace stroma::solver {
 
+namespace {
+
+constexpr double rounding = 1e-9;  // of a step
+
+}  // namespace
+
 StepControl::StepControl(const LoadingParameters& parameters)
-    : parameters_(parameters), size_(1.0 / parameters.steps) {}
+    : parameters_(parameters), size_(step_at(0.0).length) {}
+
+StepControl::Step StepControl::step_at(double load) const {
+  if (!parameters_.times) {
+    const double passed = std::floor(load * parameters_.equal_steps() + rounding);
+    return {std::min((passed + 1.0) / parameters_.equal_steps(), 1.0),
+            1.0 / parameters_.equal_steps()};
+  }
+  const std::vector<double>& times = *parameters_.times;
+  double begin = 0.0, end = 1.0;
+  for (std::size_t n = 0; n < times.size(); ++n) {
+    end = n + 1 == times.size() ? 1.0 : times[n] / parameters_.seconds();
+    if (load < end - rounding * (end - begin)) break;
+    begin = end;
+  }
+  return {end, end - begin};
+}
 
 double StepControl::next() const {
-  constexpr double rounding = 1e-9;  // of a regular step
-  const double passed = std::floor(load_ * parameters_.steps + rounding);
-  const double multiple = (passed + 1.0) / parameters_.steps;
-  return load_ + size_ > multiple - rounding / parameters_.steps ? std::min(multiple, 1.0)
-                                                                 : load_ + size_;
+  const Step step = step_at(load_);
+  return load_ + size_ > step.end - rounding * step.length ? step.end : load_ + size_;
 }
 
 void StepControl::accept() {
+  const bool was_whole = size_ >= step_at(load_).length;
   load_ = next();
   ++accepted_;
-  size_ = std::min(2.0 * size_, 1.0 / parameters_.steps);
+  if (finished()) return;
+  const double whole = step_at(load_).length;
+  size_ = was_whole ? whole : std::min(2.0 * size_, whole);
 }
 
 bool StepControl::reject() {

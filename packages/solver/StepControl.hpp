@@ -10,8 +10,8 @@
 namespace stroma::solver {
 
 /// Hands out load factors from 0 to 1. A rejected step is halved; accepted ones let it double
-/// again, up to 1 / Steps. Multiples of 1 / Steps are never stepped over, so that results exist
-/// there whatever was rejected on the way.
+/// again, up to a whole step of the deck. Ends of the deck's steps (multiples of 1 / Steps, or
+/// Times) are never stepped over, so that results exist there whatever was rejected on the way.
 class StepControl {
  public:
   explicit StepControl(const LoadingParameters& parameters);
@@ -29,6 +29,12 @@ class StepControl {
   int accepted() const { return accepted_; }
 
  private:
+  /// The deck's step that a load factor lies in: its end, and its length.
+  struct Step {
+    double end, length;
+  };
+  Step step_at(double load) const;
+
   LoadingParameters parameters_;
   double load_ = 0.0;
   double size_;

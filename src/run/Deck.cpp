@@ -15,6 +15,7 @@
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
 #include "stroma/sections/ImageSection.hpp"
+#include "stroma/sections/LoadCurvesSection.hpp"
 #include "stroma/sections/MaterialsSection.hpp"
 #include "stroma/sections/OutputSection.hpp"
 #include "stroma/sections/ParticlesSection.hpp"
@@ -44,6 +45,36 @@ void refuse_fields_without_intensities(const DeckParameters& p, deck::Findings& 
         findings.add("Materials|" + name + "|Fields|" + field.first, reason);
 }
 
+void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& findings) {
+  std::string known;
+  for (const auto& curve : p.load_curves.curves)
+    known += (known.empty() ? "\"" : ", \"") + curve.first + "\"";
+  const auto look_for = [&](const std::string& where, const std::optional<std::string>& name) {
+    if (!name) return;
+    for (const auto& curve : p.load_curves.curves)
+      if (curve.first == *name) return;
+    findings.add(where + "|Load Curve",
+                 "there is no \"" + *name + "\" among the Load Curves" +
+                     (known.empty() ? ", of which there are none" : "; admissible: " + known));
+  };
+  for (const auto& [name, condition] : p.boundary_conditions.conditions)
+    look_for("Boundary Conditions|" + name, condition.load_curve);
+  for (const auto& [name, force] : p.external_forces.forces)
+    look_for("External Forces|" + name, force.load_curve);
+}
+
+/// Gives conditions and forces the curves that they name.
+void attach_load_curves(DeckParameters& p) {
+  const auto attach = [&](auto& named) {
+    for (auto& [name, one] : named)
+      for (const auto& curve : p.load_curves.curves)
+        if (one.load_curve == curve.first)
+          one.curve = mechanics::load_curve(curve.second, p.loading.seconds());
+  };
+  attach(p.boundary_conditions.conditions);
+  attach(p.external_forces.forces);
+}
+
 /// A mean dilatation asks for laws with an energy of volume.
 void refuse_mean_without_energy_of_volume(const DeckParameters& p, deck::Findings& findings) {
   if (p.grid.dilatation != mechanics::DilatationChoice::element_mean) return;
@@ -70,10 +101,12 @@ deck::Section<DeckParameters> deck_section() {
   section.required_section(sections::boundary_conditions_section(),
                            &DeckParameters::boundary_conditions);
   section.section(sections::external_forces_section(), &DeckParameters::external_forces);
+  section.section(sections::load_curves_section(), &DeckParameters::load_curves);
   section.section(sections::loading_section(), &DeckParameters::loading);
   section.section(sections::solver_section(), &DeckParameters::solver);
   section.section(sections::output_section(), &DeckParameters::output);
   section.check(refuse_fields_without_intensities);
+  section.check(refuse_unknown_load_curves);
   section.check(refuse_mean_without_energy_of_volume);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {
@@ -90,6 +123,7 @@ deck::Section<DeckParameters> deck_section() {
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides) {
   deck::Document document = deck::load(path, overrides);
   DeckParameters parameters = deck::read(document, deck_section());
+  attach_load_curves(parameters);
   if (parameters.image.file) {  // deck.xml says where it lies
     const std::string file = absolute(document, *parameters.image.file);
     const std::string problem = deck::unwritable(file);
@@ -113,13 +147,14 @@ Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
   DeckParameters parameters = deck.parameters;
   if (parameters.image.file)
     parameters.image.file = absolute(deck.document, *parameters.image.file);
+  if (!parameters.loading.times) parameters.loading.steps = parameters.loading.equal_steps();
   return deck::filled(deck_section(), parameters);
 }
 
 base::InputError located(const Deck& deck, const base::InputError& error) {
   static const std::vector<std::string> sections{
-      "Image",           "Materials", "Particles", "Grid",  "Boundary Conditions",
-      "External Forces", "Loading",   "Solver",    "Output"};
+      "Image",           "Materials",   "Particles", "Grid",   "Boundary Conditions",
+      "External Forces", "Load Curves", "Loading",   "Solver", "Output"};
   deck::Findings findings(deck.document);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) {

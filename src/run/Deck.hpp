@@ -16,6 +16,7 @@
 #include "stroma/mechanics/problem/BoundaryConditions.hpp"
 #include "stroma/mechanics/problem/ExternalForces.hpp"
 #include "stroma/mechanics/problem/GridParameters.hpp"
+#include "stroma/mechanics/problem/LoadCurve.hpp"
 #include "stroma/output/OutputParameters.hpp"
 #include "stroma/particles/Seeding.hpp"
 #include "stroma/solver/SolverParameters.hpp"
@@ -30,6 +31,7 @@ struct DeckParameters {
   mechanics::GridParameters grid;
   mechanics::BoundaryConditionsParameters boundary_conditions;
   mechanics::ExternalForcesParameters external_forces;
+  mechanics::LoadCurvesParameters load_curves;
   solver::LoadingParameters loading;
   solver::SolverParameters solver;
   output::OutputParameters output;

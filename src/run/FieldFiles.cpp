@@ -97,7 +97,7 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
                            output::history_columns(conditions_, materials_), provenance_,
                            deck_->parameters.output.precision, fields);
   }
-  particle_file_->write(row.load, particle_set(), states(balance, u), output::history_values(row));
+  particle_file_->write(row.time, particle_set(), states(balance, u), output::history_values(row));
   particles_step_ = row.step;
 }
 
@@ -146,7 +146,7 @@ void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBa
   };
   const std::vector<double> displacement = gathered(lattice ? displacement_at_nodes : u, 1.0);
   const std::vector<double> residual = gathered(lattice ? force_at_nodes : force, 0.5);
-  grid_file_->write(row.load, displacement.data(), residual.data());
+  grid_file_->write(row.time, displacement.data(), residual.data());
   grid_step_ = row.step;
 }
 

@@ -19,8 +19,9 @@ std::vector<output::MovingSupport> moving_supports(const DeckParameters& paramet
     for (int c = 0; c < 3; ++c)
       if (condition.prescribes(c))
         support.displacement[static_cast<std::size_t>(c)] =
-            condition.value(c, length, {0.0, 0.0, 0.0}, length);
+            condition.full(c, length, {0.0, 0.0, 0.0}, length);
     support.strain = condition.strain.value_or(0.0);
+    support.follows_load = condition.curve.is_load();
     moving.push_back(support);
   }
   return moving;

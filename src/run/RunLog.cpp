@@ -58,11 +58,14 @@ void RunLog::compare_pieces(const mechanics::PiecesSummary& before, const mechan
 }
 
 void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResult& solved) {
-  log_->line(
-      format("step %3d   load %.4f   Newton %d   linear %lld   residual %.1e   %.1f s, about "
-             "%.0f s left",
-             load.accepted(), load.load(), solved.iterations, solved.linear_iterations,
-             solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
+  const auto& loading = deck_->parameters.loading;
+  const std::string time =
+      loading.has_time() ? format("   time %.5g s", load.load() * loading.seconds()) : "";
+  log_->line(format(
+      "step %3d   load %.4f%s   Newton %d   linear %lld   residual %.1e   %.1f s, about "
+      "%.0f s left",
+      load.accepted(), load.load(), time.c_str(), solved.iterations, solved.linear_iterations,
+      solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
   if (solved.is_limited_by_rounding && !std::exchange(has_told_of_rounding_, true))
     log_->note(format(
         "rounding limits the residual to %.1e of the forces; more iterations would not lower it",

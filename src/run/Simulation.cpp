@@ -56,11 +56,12 @@ std::optional<solver::NewtonResult> try_step(mechanics::MovingBody& body,
   }
 }
 
-output::HistoryRow row_of(const solver::StepControl& load, const solver::NewtonResult& solved,
-                          double seconds) {
+output::HistoryRow row_of(const solver::StepControl& load, double time,
+                          const solver::NewtonResult& solved, double seconds) {
   output::HistoryRow row;
   row.step = load.accepted();
   row.load = load.load();
+  row.time = time;
   row.newton_iterations = solved.iterations;
   row.linear_iterations = solved.linear_iterations;
   row.residual = solved.residual;
@@ -122,7 +123,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     // The step has converged: only now does anything change.
     body.accept(load.next(), *trial);
     load.accept();
-    results.write(row_of(load, *solved, say.seconds()), body.balance(), *trial);
+    results.write(
+        row_of(load, load.load() * deck.parameters.loading.seconds(), *solved, say.seconds()),
+        body.balance(), *trial);
     say.accepted(load, *solved);
     log.require_written();
     if (!load.finished()) stop.obey();

@@ -149,19 +149,22 @@ void draw_study(const base::Communicator& communicator, const StudyPlan& plan,
   if (!plan.study.von_mises_members.empty())
     draw_stresses(communicator, plan, results, folder, log);
 
-  bool by_strain = true;
+  bool by_strain = true, follows_load = true;
   std::string support_name;
   for (std::size_t m = 0; m < plan.members.size(); ++m) {
     const output::MovingSupport* support = drawn_support(plan, m);
     if (support == nullptr) continue;
     by_strain = by_strain && support->strain != 0.0;
+    follows_load = follows_load && support->follows_load;
     if (support_name.empty()) support_name = support->name;
   }
   const auto note = [&](const std::string& text) {
     if (!text.empty()) log.note(text);
   };
   if (support_name.empty()) return note("no forces were drawn: no boundary condition moves");
-  if (plot.force_against_strain)
+  if (plot.force_against_strain && !follows_load)
+    note("force_strain.png was not drawn: a load curve moves \"" + support_name + "\"");
+  else if (plot.force_against_strain)
     note(draw_forces(communicator, plan, results, folder, support_name, by_strain));
   std::vector<output::SizeSeries> series;
   for (const SizeGroup& group : groups) series.push_back(series_of(group));

@@ -88,8 +88,8 @@ class BoundaryPointMaker {
       if (!(a.components & b.components & 1 << c)) continue;
       if (!agree({first.second, edge}, {second.second, edge}, c, body_.origin, length_))
         throw base::InputError(conflict(first.first, second.first, c, edge,
-                                        first.second.value(c, edge, body_.origin, length_),
-                                        second.second.value(c, edge, body_.origin, length_)));
+                                        first.second.full(c, edge, body_.origin, length_),
+                                        second.second.full(c, edge, body_.origin, length_)));
     }
   }
 
@@ -186,8 +186,8 @@ void visit_held_components(const BoundaryPoints& boundary, const Problem& proble
       for (held.component = 0; held.component < 3; ++held.component)
         if (b.components >> held.component & 1)
           visit({pieces.of_element(static_cast<std::int64_t>(e)), held, b.condition,
-                 condition.rate(held.component, boundary.X[static_cast<std::size_t>(n)],
-                                problem.body.origin, length),
+                 condition.direction(held.component, boundary.X[static_cast<std::size_t>(n)],
+                                     problem.body.origin, length),
                  !condition.is_linear()});
     }
 }

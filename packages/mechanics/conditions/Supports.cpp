@@ -145,24 +145,24 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
             X_by = X;
           } else if (!agree({condition_of(by), X_by}, {condition, X}, c, body.origin, length)) {
             throw base::InputError(conflict(name_of(by), name_of(m), c, x,
-                                            condition_of(by).value(c, X_by, body.origin, length),
-                                            condition.value(c, X, body.origin, length)));
+                                            condition_of(by).full(c, X_by, body.origin, length),
+                                            condition.full(c, X, body.origin, length)));
           }
         }
         const bool is_moved = by >= 0 && by < conditions_;
         if (grid.flat && c == 2 && node_is_active) {
           if (is_moved && !agree({condition_of(by), X_by}, {{}, X_by}, c, body.origin, length))
             throw base::InputError(conflict(
-                name_of(by), "", c, x, condition_of(by).value(c, X_by, body.origin, length), 0.0));
+                name_of(by), "", c, x, condition_of(by).full(c, X_by, body.origin, length), 0.0));
           if (!is_moved) by = plane_strain;
         }
         if (by == conditions_) continue;
         held_owned_[n] = static_cast<std::uint8_t>(held_owned_[n] | 1u << c);
         const int unknown = static_cast<int>(3 * n) + c;
         const bool turns = is_moved && !condition_of(by).is_linear();
-        prescribed_.push_back({unknown, by,
-                               is_moved ? condition_of(by).rate(c, X_by, body.origin, length) : 0.0,
-                               turns});
+        prescribed_.push_back(
+            {unknown, by, is_moved ? condition_of(by).direction(c, X_by, body.origin, length) : 0.0,
+             turns});
         if (turns) turned_.push_back({unknown, &condition_of(by), X_by});
       }
     });

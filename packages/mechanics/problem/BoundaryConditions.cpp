@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "stroma/base/Log.hpp"
 #include "stroma/tensor/Tensor3.hpp"
@@ -55,42 +56,64 @@ Vector BoundaryCondition::arm(const Vector& position, const Vector& corner,
   return arm;
 }
 
-double BoundaryCondition::value(int component, const Vector& position, const Vector& corner,
-                                const Vector& length, double load) const {
+double BoundaryCondition::at_factor(int component, const Vector& position, const Vector& corner,
+                                    const Vector& length, double factor) const {
   const auto c = static_cast<std::size_t>(component);
-  if (displacement) return load * (*displacement)[c];
+  if (displacement) return factor * (*displacement)[c];
   if (strain && axis_of(*face) == component)
-    return load * ((is_upper(*face) ? 1.0 : -1.0) * *strain * length[c]);
+    return factor * ((is_upper(*face) ? 1.0 : -1.0) * *strain * length[c]);
   if (displacement_gradient) {
     double sum = 0.0;
     for (std::size_t d = 0; d < 3; ++d)
       sum += (*displacement_gradient)[3 * c + d] * (position[d] - corner[d]);
-    return load * sum;
+    return factor * sum;
   }
   if (rotation)
-    return turned(unit_axis(), arm(position, corner, length), load * *rotation * radians)[c];
+    return turned(unit_axis(), arm(position, corner, length), factor * *rotation * radians)[c];
   return 0.0;
+}
+
+double BoundaryCondition::value(int component, const Vector& position, const Vector& corner,
+                                const Vector& length, double load) const {
+  return at_factor(component, position, corner, length, curve.at(load));
+}
+
+double BoundaryCondition::full(int component, const Vector& position, const Vector& corner,
+                               const Vector& length) const {
+  return at_factor(component, position, corner, length, 1.0);
+}
+
+double BoundaryCondition::rate_of_factor(int component, const Vector& position,
+                                         const Vector& corner, const Vector& length,
+                                         double factor) const {
+  if (!rotation) return full(component, position, corner, length);
+  Vector r = arm(position, corner, length);
+  const double angle = *rotation * radians;
+  const Vector moved = turned(unit_axis(), r, factor * angle);
+  for (std::size_t d = 0; d < 3; ++d) r[d] += moved[d];
+  return angle * cross(unit_axis(), r)[static_cast<std::size_t>(component)];
 }
 
 double BoundaryCondition::rate(int component, const Vector& position, const Vector& corner,
                                const Vector& length, double load) const {
-  if (is_linear()) return value(component, position, corner, length);
-  Vector r = arm(position, corner, length);
-  const double angle = *rotation * radians;
-  const Vector moved = turned(unit_axis(), r, load * angle);
-  for (std::size_t d = 0; d < 3; ++d) r[d] += moved[d];
-  return angle * cross(unit_axis(), r)[static_cast<std::size_t>(component)];
+  return curve.slope(load) * rate_of_factor(component, position, corner, length, curve.at(load));
+}
+
+double BoundaryCondition::direction(int component, const Vector& position, const Vector& corner,
+                                    const Vector& length) const {
+  return rate_of_factor(component, position, corner, length, 0.0);
 }
 
 std::array<double, 3> BoundaryCondition::carried_from(const Vector& x, double load,
                                                       const Vector& corner,
                                                       const Vector& length) const {
+  const double factor = curve.at(load);
   Vector X = x;
   if (displacement_gradient) {
     tensor::Tensor3 motion = tensor::identity();
     for (int c = 0; c < 3; ++c)
       for (int d = 0; d < 3 && prescribes(c); ++d)
-        motion(c, d) += load * (*displacement_gradient)[static_cast<std::size_t>(3 * c + d)];
+        motion(c, d) += factor * (*displacement_gradient)[static_cast<std::size_t>(3 * c + d)];
     const tensor::Tensor3 back = tensor::inverse(motion);
     for (int c = 0; c < 3; ++c) {
       const auto i = static_cast<std::size_t>(c);
@@ -101,7 +124,7 @@ std::array<double, 3> BoundaryCondition::carried_from(const Vector& x, double lo
     return X;
   }
   if (rotation) {
-    const Vector back = turned(unit_axis(), arm(x, corner, length), -load * *rotation * radians);
+    const Vector back = turned(unit_axis(), arm(x, corner, length), -factor * *rotation * radians);
     for (int c = 0; c < 3; ++c)
       if (prescribes(c)) X[static_cast<std::size_t>(c)] += back[static_cast<std::size_t>(c)];
     return X;
@@ -142,7 +165,7 @@ int BoundaryCondition::loaded_component(const std::array<double, 3>& length) con
   double largest = 0.0;
   for (int c = 0; c < 3; ++c) {
     if (!prescribes(c)) continue;
-    const double moved = std::abs(value(c, length, {0.0, 0.0, 0.0}, length));
+    const double moved = std::abs(full(c, length, {0.0, 0.0, 0.0}, length));
     if (moved > largest) {
       largest = moved;
       loaded = c;
@@ -158,7 +181,9 @@ bool agree(const ConditionAt& a, const ConditionAt& b, int component, const Vect
     return std::abs(a.condition.value(component, a.X, corner, length, load) -
                     b.condition.value(component, b.X, corner, length, load)) > negligible;
   };
-  return !differ(1.0) && !differ(0.37);  // a full turn is no motion at full load
+  // A full turn is no motion at full load, and a curve may come back to where it was.
+  const double loads[] = {0.037, 0.21, 0.37, 0.52, 0.68, 0.83, 1.0};
+  return std::none_of(std::begin(loads), std::end(loads), differ);
 }
 
 std::string conflict(const std::string& first, const std::string& second, int component,

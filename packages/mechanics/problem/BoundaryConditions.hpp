@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "stroma/mechanics/problem/LoadCurve.hpp"
+
 namespace stroma::mechanics {
 
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper, all };
@@ -38,14 +40,16 @@ struct BoundaryCondition {
   std::optional<std::array<double, 3>> center;  ///< on the axis [um]; else the body box's middle
   std::optional<ImposedBy> imposed_by;          ///< else: nodes without grid reset, grip with it
   /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
-  std::optional<double> penalty_factor;  ///< else 2e4
+  std::optional<double> penalty_factor;   ///< else 2e4
+  std::optional<std::string> load_curve;  ///< the deck's name of `curve`
+  LoadCurve curve = {};                   ///< the factor s of the four values
 
   bool prescribes(int component) const {
     return components.find("xyz"[component]) != std::string::npos;
   }
 
-  /// Displacement component [um] of a point of the face at a load factor s: s times the given
-  /// displacement, or strain * length along the outward normal, or G (X - corner); or, about the
+  /// Displacement component [um] of a point of the face at a load factor, of which s is the curve's
+  /// factor: s times the given displacement, or strain * length along the outward normal, or G (X - corner); or, about the
   /// unit axis a, with r = X - center and the angle t = s * rotation,
   ///
   ///     u = sin t  a x r + (1 - cos t)  a x (a x r).
@@ -57,17 +61,23 @@ struct BoundaryCondition {
   /// \param load       the load factor
   double value(int component, const std::array<double, 3>& position,
                const std::array<double, 3>& corner, const std::array<double, 3>& length,
-               double load = 1.0) const;
+               double load) const;
+  /// The same at s = 1: what the deck gives.
+  double full(int component, const std::array<double, 3>& position,
+              const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
 
   /// Its derivative by the load factor [um].
   double rate(int component, const std::array<double, 3>& position,
               const std::array<double, 3>& corner, const std::array<double, 3>& length,
-              double load = 0.0) const;
+              double load) const;
+  /// Its derivative by s, at s = 0 [um]: where it sets out for.
+  double direction(int component, const std::array<double, 3>& position,
+                   const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
   /// Whether value() is proportional to the load.
-  bool is_linear() const { return !rotation; }
+  bool is_linear() const { return !rotation && curve.is_load(); }
 
   /// The point X of the undeformed body [um] that the condition has carried to a position x [um] at
-  /// a load factor: x = X + load u(X). Components that it does not prescribe count as not moved.
+  /// a load factor: x = X + u(X). Components that it does not prescribe count as not moved.
   std::array<double, 3> carried_from(const std::array<double, 3>& x, double load,
                                      const std::array<double, 3>& corner,
                                      const std::array<double, 3>& length) const;
@@ -80,10 +90,16 @@ struct BoundaryCondition {
   /// Whether the face stays in its plane: its normal displacement is prescribed as zero everywhere.
   bool stays_in_plane() const;
 
-  /// Component along which the face moves most at full load, -1 if it stays or turns.
+  /// Component along which the face moves most at s = 1, -1 if it stays or turns.
   int loaded_component(const std::array<double, 3>& length) const;
 
  private:
+  double at_factor(int component, const std::array<double, 3>& position,
+                   const std::array<double, 3>& corner, const std::array<double, 3>& length,
+                   double factor) const;
+  double rate_of_factor(int component, const std::array<double, 3>& position,
+                        const std::array<double, 3>& corner, const std::array<double, 3>& length,
+                        double factor) const;
   std::array<double, 3> unit_axis() const;
   /// X - center.
   std::array<double, 3> arm(const std::array<double, 3>& position,

@@ -18,12 +18,14 @@
 namespace stroma::mechanics {
 
 /// One dead force, which keeps its direction and refers to the undeformed body. Exactly one of the
-/// three is given. It grows with the load factor.
+/// three is given. It grows with the load factor, or by a curve.
 struct ExternalForce {
   std::optional<std::array<double, 3>> body_force;    ///< per volume [pN/um^3]
   std::optional<std::array<double, 3>> acceleration;  ///< per mass [m/s^2]
   std::optional<std::array<double, 3>> traction;      ///< per area of a face [Pa]
   std::optional<Face> face;                           ///< of the traction; a single face
+  std::optional<std::string> load_curve;              ///< the deck's name of `curve`
+  LoadCurve curve = {};                               ///< the factor of the force
 };
 
 using NamedForces = std::vector<std::pair<std::string, ExternalForce>>;

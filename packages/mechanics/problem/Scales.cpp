@@ -53,7 +53,7 @@ Range displacements(const BoundaryCondition& condition, const grid::Grid& body) 
     std::array<double, 3> X = body.origin;
     for (std::size_t d = 0; d < 3; ++d) X[d] += (corner >> d & 1) * length[d];
     for (int c = 0; c < 3; ++c)
-      if (condition.prescribes(c)) range.add(condition.value(c, X, body.origin, length));
+      if (condition.prescribes(c)) range.add(condition.full(c, X, body.origin, length));
   }
   return range;
 }

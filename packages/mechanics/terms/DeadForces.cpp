@@ -2,6 +2,7 @@
 
 #include "stroma/mechanics/terms/DeadForces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "stroma/grid/ToDevice.hpp"
@@ -32,22 +33,45 @@ bool has_dead_forces(const Problem& problem) {
   return !problem.forces.empty() || problem.body_force;
 }
 
-DeadForces::DeadForces(const Body& body)
-    : at_full_load_(Teuchos::rcp(new grid::Vector(body.halo().owned_map()))) {
+DeadForces::DeadForces(const Body& body) {
   const Problem& problem = body.problem();
+  std::vector<LoadCurve> curves;
+  if (problem.body_force) curves.emplace_back();
+  for (const auto& named : problem.forces)
+    if (std::find(curves.begin(), curves.end(), named.second.curve) == curves.end())
+      curves.push_back(named.second.curve);
   const grid::Vector at_rest(body.halo().owned_map());
-  const auto forces = grid::to_device(
-      "forces", volume_forces(problem.forces, problem.body, problem.outer_thickness));
-  body.kernels().external_force(body.points(at_rest), forces, body.density(),
-                                body_force_at(problem.body_force, body.particles()),
-                                body.halo().contributions());
-  body.halo().sum_to_owner(*at_full_load_);
-  size_at_full_load_ = at_full_load_->norm2();
+  for (const LoadCurve& curve : curves) {
+    NamedForces together;
+    for (const auto& named : problem.forces)
+      if (named.second.curve == curve) together.push_back(named);
+    const auto forces =
+        grid::to_device("forces", volume_forces(together, problem.body, problem.outer_thickness));
+    const auto of_points = curve.is_load() ? body_force_at(problem.body_force, body.particles())
+                                           : transfer::ForceAtParticles<grid::Device>{};
+    const auto full = Teuchos::rcp(new grid::Vector(body.halo().owned_map()));
+    body.kernels().external_force(body.points(at_rest), forces, body.density(), of_points,
+                                  body.halo().contributions());
+    body.halo().sum_to_owner(*full);
+    groups_.push_back({curve, full, full->norm2()});
+  }
 }
 
 TermForce DeadForces::force(const TrialState&, grid::Vector& force) const {
-  force.update(-load_, *at_full_load_, 0.0);
-  return {0, std::abs(load_) * size_at_full_load_};
+  TermForce all;
+  force.putScalar(0.0);
+  for (const Group& group : groups_) {
+    const double factor = group.curve.at(load_);
+    force.update(-factor, *group.full, 1.0);
+    all.size += std::abs(factor) * group.size;
+  }
+  return all;
+}
+
+std::vector<grid::RCP<const grid::Vector>> DeadForces::dead_loads() const {
+  std::vector<grid::RCP<const grid::Vector>> all;
+  for (const Group& group : groups_) all.push_back(group.full);
+  return all;
 }
 
 }  // namespace stroma::mechanics

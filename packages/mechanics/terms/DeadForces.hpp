@@ -10,8 +10,9 @@
 
 namespace stroma::mechanics {
 
-/// f = -load f_full, with f_full the nodal force at full load of what acts per volume, per mass and
-/// per area of the undeformed body (transfer::ExternalForce).
+/// f = -sum_k s_k(load) f_k, with f_k the nodal force, at a factor of 1, of all that acts per
+/// volume, per mass and per area of the undeformed body (transfer::ExternalForce) and follows the
+/// load curve s_k.
 class DeadForces : public Term {
  public:
   /// Collective.
@@ -19,11 +20,16 @@ class DeadForces : public Term {
 
   void set_load(double load) override { load_ = load; }
   TermForce force(const TrialState& state, grid::Vector& force) const override;
-  grid::RCP<const grid::Vector> dead_load() const override { return at_full_load_; }
+  std::vector<grid::RCP<const grid::Vector>> dead_loads() const override;
 
  private:
-  grid::RCP<grid::Vector> at_full_load_;
-  double size_at_full_load_;  // [pN]
+  struct Group {
+    LoadCurve curve;
+    grid::RCP<grid::Vector> full;
+    double size;  ///< of full [pN]
+  };
+
+  std::vector<Group> groups_;
   double load_ = 0.0;
 };
 

@@ -73,8 +73,9 @@ class Term {
   /// From now on a diagonal tangent that is no softer will do: the body only preconditions.
   virtual void lump() {}
 
-  /// Force at full load on the undeformed body, which its supports must balance; null: none.
-  virtual grid::RCP<const grid::Vector> dead_load() const { return Teuchos::null; }
+  /// Forces on the undeformed body, each of which its supports must balance: those that grow
+  /// together are one, at their full size.
+  virtual std::vector<grid::RCP<const grid::Vector>> dead_loads() const { return {}; }
   /// Visits the components that the term holds in place.
   virtual void visit_held(const Pieces&, const HeldVisitor&) const {}
   /// Adds what the term does for conditions [pN]: the force of their supports on the body.

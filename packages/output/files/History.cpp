@@ -18,6 +18,7 @@ template <class Use>
 void for_each_value(const HistoryRow& row, const Use& use) {
   use(row.step);
   use(row.load);
+  use(row.time);
   use(row.newton_iterations);
   use(row.linear_iterations);
   use(row.residual);
@@ -38,7 +39,7 @@ void for_each_value(const HistoryRow& row, const Use& use) {
 std::vector<std::string> history_columns(const std::vector<std::string>& boundary_conditions,
                                          const std::vector<std::string>& materials) {
   std::vector<std::string> columns = {
-      "step",     "load",         "newton_iterations", "linear_iterations",
+      "step",     "load",         "time",         "newton_iterations", "linear_iterations",
       "residual", "wall_seconds", "strain_energy"};
   for (const std::string& name : boundary_conditions) {
     for (const char* component : {"x", "y", "z"})

@@ -26,6 +26,7 @@ struct MaterialSummary {
 struct HistoryRow {
   std::int64_t step = 0;  ///< 0: unloaded
   double load = 0;        ///< load factor, 0 to 1 [-]
+  double time = 0;        ///< [s]; without a duration the load factor
   std::int64_t newton_iterations = 0;
   std::int64_t linear_iterations = 0;            ///< summed over the step's Newton iterations
   double residual = 0;                           ///< ||residual|| / largest ||reaction|| so far [-]
@@ -35,7 +36,7 @@ struct HistoryRow {
   std::vector<MaterialSummary> materials;        ///< (material)
 };
 
-/// Names and order of the columns, as in docs: step, load, ..., then NAME.reaction_x/y/z of each
+/// Names and order of the columns, as in docs: step, load, time, ..., then NAME.reaction_x/y/z of each
 /// boundary condition, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material.
 std::vector<std::string> history_columns(const std::vector<std::string>& boundary_conditions,
                                          const std::vector<std::string>& materials);

@@ -185,12 +185,17 @@ std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
   const bool by_strain =
       std::all_of(supports.begin(), supports.end(),
                   [](const MovingSupport& support) { return support.strain != 0.0; });
+  const bool over_time = std::any_of(supports.begin(), supports.end(),
+                                     [](const MovingSupport& s) { return !s.follows_load; });
   const auto size = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
 
   std::string data = "# load";
   for (const MovingSupport& support : supports) {
     data += format("\t%s: %s\t%s: force [pN]", support.name.c_str(),
-                   by_strain ? "strain" : "displacement [um]", support.name.c_str());
+                   over_time   ? "time"
+                   : by_strain ? "strain"
+                               : "displacement [um]",
+                   support.name.c_str());
   }
   data += "\n";
   double largest = 0.0;
@@ -203,8 +208,11 @@ std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
         force += reaction[d] * support.displacement[d] / size(support.displacement);
       }
       largest = std::max(largest, std::abs(force));
-      data += format("\t%.10g\t%.10g",
-                     row.load * (by_strain ? support.strain : size(support.displacement)), force);
+      data +=
+          format("\t%.10g\t%.10g",
+                 over_time ? row.time
+                           : row.load * (by_strain ? support.strain : size(support.displacement)),
+                 force);
     }
     data += "\n";
   }
@@ -212,18 +220,19 @@ std::string Pictures::draw_force(const std::vector<MovingSupport>& supports,
   const ForceUnit unit = force_unit(largest);
   std::string script =
       gnuplot_head("force", 1000, 700, title_ + "\nreaction along the displacement");
-  script +=
-      format("set xlabel '%s'\nset ylabel 'force (%s)'\n",
-             by_strain ? "strain (%)" : ("displacement (" + std::string(micrometre) + ")").c_str(),
-             unit.name);
+  script += format("set xlabel '%s'\nset ylabel 'force (%s)'\n",
+                   over_time   ? "time (s)"
+                   : by_strain ? "strain (%)"
+                               : ("displacement (" + std::string(micrometre) + ")").c_str(),
+                   unit.name);
   script += "set grid lc rgb '#dddddd' lt 1 lw 1\nset key top left reverse Left\n";
   script += "set offsets 0, 0, graph 0.05, 0\nplot ";
   for (std::size_t i = 0; i < supports.size(); ++i) {
     script += format(
         "%s'force.dat' using ($%zu*%g):($%zu/%g) with linespoints lw 2.5 pt 7 ps 1.1 lc rgb '%s' "
         "title %s",
-        i == 0 ? "" : ", \\\n     ", 2 * i + 2, by_strain ? 100.0 : 1.0, 2 * i + 3, unit.size,
-        line_colour(i), gnuplot_quoted(supports[i].name).c_str());
+        i == 0 ? "" : ", \\\n     ", 2 * i + 2, by_strain && !over_time ? 100.0 : 1.0, 2 * i + 3,
+        unit.size, line_colour(i), gnuplot_quoted(supports[i].name).c_str());
   }
   return draw("force", data, "dat", script + "\n");
 }

@@ -20,8 +20,9 @@ namespace stroma::output {
 struct MovingSupport {
   std::string name;
   std::size_t index = 0;                 ///< of its reaction in HistoryRow::reactions
-  std::array<double, 3> displacement{};  ///< at load 1 [um]; not zero
-  double strain = 0;                     ///< at load 1 [-]; 0 when the deck gave no strain
+  std::array<double, 3> displacement{};  ///< at a factor of 1 [um]; not zero
+  double strain = 0;                     ///< likewise [-]; 0 when the deck gave no strain
+  bool follows_load = true;              ///< else a curve of its own is the factor
 };
 
 /// Draws pictures into a run's folder. Numbers and gnuplot scripts stay in its subfolder

@@ -20,25 +20,25 @@ const std::array<double, 3> point{5.0, 12.0, 4.0};
 
 TEST(BoundaryCondition, StrainActsOutwards) {
   const auto up = stretch(Face::y_upper, "xyz", 0.1);
-  EXPECT_DOUBLE_EQ(up.value(1, point, corner, length), 1.0);
-  EXPECT_EQ(up.value(0, point, corner, length), 0.0);
+  EXPECT_DOUBLE_EQ(up.full(1, point, corner, length), 1.0);
+  EXPECT_EQ(up.full(0, point, corner, length), 0.0);
   const auto down = stretch(Face::y_lower, "xyz", 0.1);
-  EXPECT_DOUBLE_EQ(down.value(1, point, corner, length), -1.0);
+  EXPECT_DOUBLE_EQ(down.full(1, point, corner, length), -1.0);
   EXPECT_EQ(up.loaded_component(length), 1);
 }
 
 TEST(BoundaryCondition, GradientActsFromTheCorner) {
   BoundaryCondition shear = hold(Face::all, "xyz");
   shear.displacement_gradient = {{0, 0.2, 0, 0, 0, 0, 0, 0, -0.5}};
-  EXPECT_DOUBLE_EQ(shear.value(0, point, corner, length), 0.2 * 10.0);
-  EXPECT_EQ(shear.value(1, point, corner, length), 0.0);
-  EXPECT_DOUBLE_EQ(shear.value(2, point, corner, length), -0.5);
-  EXPECT_EQ(shear.value(0, corner, corner, length), 0.0);
+  EXPECT_DOUBLE_EQ(shear.full(0, point, corner, length), 0.2 * 10.0);
+  EXPECT_EQ(shear.full(1, point, corner, length), 0.0);
+  EXPECT_DOUBLE_EQ(shear.full(2, point, corner, length), -0.5);
+  EXPECT_EQ(shear.full(0, corner, corner, length), 0.0);
 }
 
 TEST(BoundaryCondition, WithoutAValueItHolds) {
   const auto held = hold(Face::z_lower, "xz");
-  for (int c = 0; c < 3; ++c) EXPECT_EQ(held.value(c, point, corner, length), 0.0);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(held.full(c, point, corner, length), 0.0);
   EXPECT_TRUE(held.prescribes(0));
   EXPECT_FALSE(held.prescribes(1));
   EXPECT_EQ(held.loaded_component(length), -1);

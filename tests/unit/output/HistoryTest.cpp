@@ -20,6 +20,7 @@ output::HistoryRow sample_row() {
   output::HistoryRow row;
   row.step = 3;
   row.load = 0.1;
+  row.time = 60.0;
   row.newton_iterations = 4;
   row.linear_iterations = 12345;
   row.residual = 1.0 / 3.0 * 1e-9;
@@ -34,11 +35,12 @@ TEST(History, WritesTheColumnsOfTheContractInOrder) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
   output::History history(world, folder / "history.csv", {"bottom", "top"}, {"collagen"});
-  EXPECT_EQ(content_of(folder / "history.csv"),
-            "step,load,newton_iterations,linear_iterations,residual,wall_seconds,strain_energy,"
-            "bottom.reaction_x,bottom.reaction_y,bottom.reaction_z,"
-            "top.reaction_x,top.reaction_y,top.reaction_z,"
-            "collagen.volume,collagen.von_mises_mean,collagen.von_mises_max\n");
+  EXPECT_EQ(
+      content_of(folder / "history.csv"),
+      "step,load,time,newton_iterations,linear_iterations,residual,wall_seconds,strain_energy,"
+      "bottom.reaction_x,bottom.reaction_y,bottom.reaction_z,"
+      "top.reaction_x,top.reaction_y,top.reaction_z,"
+      "collagen.volume,collagen.von_mises_mean,collagen.von_mises_max\n");
 }
 
 // Each row is in the file as soon as append() has returned, on every rank's eye.
@@ -54,7 +56,7 @@ TEST(History, AppendsRowsThatReadBackToTheSameBits) {
     std::string line;
     std::getline(text, line);
     for (int i = 0; i < n; ++i) EXPECT_TRUE(std::getline(text, line));
-    EXPECT_EQ(line.substr(0, 30), "3,0.10000000000000001,4,12345,");
+    EXPECT_EQ(line.substr(0, 33), "3,0.10000000000000001,60,4,12345,");
     std::istringstream cells(line);
     const std::vector<double> expected = output::history_values(row);
     std::size_t column = 0;

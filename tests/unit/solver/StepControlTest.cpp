@@ -84,5 +84,38 @@ TEST(StepControl, GivesUpBelowTheSmallestStep) {
   EXPECT_FALSE(control.finished());
 }
 
+LoadingParameters at_times(std::vector<double> times) {
+  LoadingParameters parameters;
+  parameters.times = std::move(times);
+  return parameters;
+}
+
+TEST(StepControl, TimesAreTheEndsOfTheSteps) {
+  StepControl control(at_times({0.1, 1.0, 6.0, 10.0}));
+  const auto loads = loads_of(control);
+  ASSERT_EQ(loads.size(), 4u);
+  EXPECT_DOUBLE_EQ(loads[0], 0.01);
+  EXPECT_DOUBLE_EQ(loads[1], 0.1);
+  EXPECT_DOUBLE_EQ(loads[2], 0.6);
+  EXPECT_EQ(loads[3], 1.0);
+}
+
+TEST(StepControl, TimesAreMetAfterRejectedSteps) {
+  StepControl control(at_times({2.0, 10.0}));
+  EXPECT_TRUE(control.reject());
+  EXPECT_DOUBLE_EQ(control.next(), 0.1);
+  control.accept();
+  EXPECT_DOUBLE_EQ(control.next(), 0.2);
+  control.accept();  // a whole step again, and the next one as a whole
+  EXPECT_DOUBLE_EQ(control.next(), 1.0);
+  EXPECT_TRUE(control.reject());
+  EXPECT_TRUE(control.reject());
+  EXPECT_DOUBLE_EQ(control.next(), 0.4);
+  control.accept();
+  EXPECT_DOUBLE_EQ(control.next(), 0.8);
+  control.accept();
+  EXPECT_EQ(control.next(), 1.0);
+}
+
 }  // namespace
 }  // namespace stroma::solver

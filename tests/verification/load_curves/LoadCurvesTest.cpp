@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// Conditions and forces that follow curves of time: an elastic body feels where its faces are, and
+/// not when they came there. Claims V-TIME-2 and V-TIME-3, docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/ExodusReader.hpp"
+#include "support/Program.hpp"
+
+namespace stroma::test {
+namespace {
+
+/// A block of gel with a stiff ball in it; `rest` are further sections, by two spaces deeper.
+std::string deck(const std::string& top, const std::string& rest, const std::string& grid = "") {
+  return "Stroma:\n"
+         "  Image:\n"
+         "    Phantom:\n"
+         "      Kind: Shapes\n"
+         "      Size: [8, 8, 8]\n"
+         "      Voxel Size [um]: [1, 1, 1]\n"
+         "      Shapes:\n"
+         "        ball: {Kind: Ball, 'Center [um]': [4, 4, 4], 'Radius [um]': 2.5}\n"
+         "  Materials:\n"
+         "    gel: {Label: 0, 'Shear Modulus [Pa]': 520.8, Poisson Ratio: 0.4}\n"
+         "    ball: {Label: 1, 'Shear Modulus [Pa]': 5208, Poisson Ratio: 0.4}\n"
+         "  Grid:\n"
+         "    Elements: [4, 4, 4]\n" +
+         grid +
+         "  Solver: {Newton Tolerance: 1e-11}\n"
+         "  Output: {Pictures: false}\n"
+         "  Boundary Conditions:\n"
+         "    bottom: {Face: y-, Components: xyz}\n"
+         "    top: {Face: y+, Components: xyz, " +
+         top + "}\n" + rest;
+}
+
+const std::string hold =
+    "  Load Curves:\n"
+    "    hold: {'Times [s]': [0, 1], Values: [0, 1]}\n"
+    "    late: {'Times [s]': [2, 4], Values: [0, 1], Interpolation: Smooth}\n"
+    "    there and back: {'Times [s]': [0, 2, 4], Values: [0, 1, 0]}\n";
+
+class LoadCurves : public ::testing::Test {
+ protected:
+  History run(const std::string& text, int ranks = 1) {
+    const std::string name = "deck" + std::to_string(++runs_) + ".yaml";
+    std::ofstream(folder_ / name) << text;
+    const std::string out = "out" + std::to_string(runs_);
+    const Outcome outcome = run_stroma(folder_.path(), "run " + name + " --quiet -o " + out, ranks);
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    return History(folder_.path() / out / "history.csv");
+  }
+  fs::path last() const { return folder_.path() / ("out" + std::to_string(runs_)); }
+
+  TemporaryFolder folder_;
+  int runs_ = 0;
+};
+
+void expect_same_state(const History& found, std::size_t row, const History& expected,
+                       std::size_t expected_row) {
+  const double size =
+      std::abs(expected["top.reaction_y"].back()) + std::abs(expected["top.reaction_x"].back());
+  for (const std::string& name : found.names()) {
+    if (name.find("reaction") == std::string::npos) continue;
+    EXPECT_NEAR(found[name][row], expected[name][expected_row], 1e-9 * size) << name << row;
+  }
+  EXPECT_NEAR(found["strain_energy"][row], expected["strain_energy"][expected_row],
+              1e-9 * expected["strain_energy"].back());
+}
+
+// V-TIME-2. A ramp and a hold, with steps at listed times: at 1/4, 1/2 and 1 s the states of a plain
+// run at 1/4, 1/2 and full load, and no change afterwards.
+TEST_F(LoadCurves, ARampMeetsThePlainRunAndAHoldStays) {
+  const History plain = run(deck("Strain: 0.2", "  Loading: {Steps: 4}\n"));
+  for (const int ranks : {1, 2}) {
+    const History held =
+        run(deck("Strain: 0.2, Load Curve: hold",
+                 hold + "  Loading: {'Duration [s]': 5, 'Times [s]': [0.25, 0.5, 1, 2.5, 5]}\n"),
+            ranks);
+    const std::vector<double> times{0.0, 0.25, 0.5, 1.0, 2.5, 5.0};
+    const std::size_t same_as[] = {0, 1, 2, 4, 4, 4};
+    ASSERT_EQ(held.rows(), times.size());
+    for (std::size_t s = 0; s < times.size(); ++s) {
+      EXPECT_DOUBLE_EQ(held["time"][s], times[s]);
+      EXPECT_DOUBLE_EQ(held["load"][s], times[s] / 5.0);
+      expect_same_state(held, s, plain, same_as[s]);
+    }
+  }
+  const ExodusReader particles((last() / "particles.e.2.0").string());
+  EXPECT_EQ(particles.steps(), 6);
+  EXPECT_DOUBLE_EQ(particles.time(4), 1.0);
+}
+
+TEST_F(LoadCurves, TimeIsTheLoadFactorWithoutADuration) {
+  const History plain = run(deck("Strain: 0.1", "  Loading: {Steps: 2}\n"));
+  EXPECT_EQ(plain["time"], plain["load"]);
+}
+
+// Imposed in each way, and turned: what goes there and back leaves nothing behind.
+TEST_F(LoadCurves, ThereAndBackIsNothing) {
+  for (const char* way : {"Strain: 0.2, Imposed By: Nodes", "Strain: 0.2, Imposed By: Grip",
+                          "Strain: 0.2, Imposed By: Penalty", "'Rotation [deg]': 30"}) {
+    SCOPED_TRACE(way);
+    const History run_back = run(deck(std::string(way) + ", Load Curve: there and back",
+                                      hold + "  Loading: {'Duration [s]': 4, Steps: 8}\n"));
+    const double most = run_back["strain_energy"][4];
+    EXPECT_GT(most, 0.0);
+    EXPECT_NEAR(run_back["strain_energy"].back(), 0.0, 1e-12 * most);
+    for (std::size_t s = 0; s <= 8; ++s)
+      EXPECT_NEAR(run_back["strain_energy"][s], run_back["strain_energy"][8 - s], 1e-8 * most);
+  }
+}
+
+// On a grid that is reset, the path is walked back, too: what is left is the method's own error.
+TEST_F(LoadCurves, ThereAndBackWithResetIsNearlyNothing) {
+  const History run_back =
+      run(deck("Strain: 0.1, Load Curve: there and back",
+               hold + "  Loading: {'Duration [s]': 4, Steps: 8}\n", "    Reset: true\n"));
+  EXPECT_NEAR(run_back["strain_energy"].back(), 0.0, 0.02 * run_back["strain_energy"][4]);
+}
+
+// V-TIME-3. A traction that comes late and smoothly beside one that grows with the load: at the end
+// both are there; until 2 s there is the first alone; the supports bear what acts.
+TEST_F(LoadCurves, ForcesFollowTheirCurves) {
+  const std::string forces =
+      "  External Forces:\n"
+      "    pull: {'Traction [Pa]': [0, 40, 0], Face: y+}\n"
+      "    push: {'Traction [Pa]': [25, 0, 0], Face: y+, Load Curve: late}\n";
+  const std::string loading = "  Loading: {'Duration [s]': 4, Steps: 4}\n";
+  std::string text = deck("", hold + forces + loading);
+  text.erase(text.find("    top: "),
+             text.find('\n', text.find("    top: ")) + 1 - text.find("    top: "));
+  const History history = run(text);
+  const double area = 64.0;
+  const double late[] = {0.0, 0.0, 0.0, 0.5, 1.0};
+  for (std::size_t s = 0; s <= 4; ++s) {
+    EXPECT_NEAR(history["bottom.reaction_y"][s], -40.0 * area * history["load"][s], 1e-6) << s;
+    EXPECT_NEAR(history["bottom.reaction_x"][s], -25.0 * area * late[s], 1e-6) << s;
+  }
+}
+
+}  // namespace
+}  // namespace stroma::test
