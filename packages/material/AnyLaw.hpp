@@ -8,6 +8,7 @@
 #include "stroma/material/AnyFiberLaw.hpp"
 #include "stroma/material/AnyMatrix.hpp"
 #include "stroma/material/FiberDirections.hpp"
+#include "stroma/material/Viscosity.hpp"
 
 namespace stroma::material {
 
@@ -23,11 +24,13 @@ struct FiberFamily {
 ///     W = W_matrix + sum_families sum_N weight psi(I_N),   I_N = N.C.N.
 ///
 /// Fibres see all of the deformation, change of volume included, whatever the matrix is. Without
-/// families it is the matrix. It has the contract of a law (Law.hpp).
+/// families it is the matrix. Its stress relaxes, if it has a viscosity; its energy is that of the
+/// law without. It has the contract of a law (Law.hpp).
 class AnyLaw {
  public:
   static constexpr int most_families = 4;
-  static constexpr int states = AnyMatrix::states;
+  static constexpr int states = Viscosity::most_states;  ///< at most
+  static_assert(AnyMatrix::states == 0, "the history is the viscosity's");
   using Tangent = FullTangent;
 
   AnyLaw() = default;
@@ -35,9 +38,12 @@ class AnyLaw {
   AnyLaw(const Law& matrix) : matrix_(matrix) {}
   /// \pre fewer than most_families so far
   void add(const FiberFamily& family) { family_[families_++] = family; }
+  void set_viscosity(const Viscosity& viscosity) { viscosity_ = viscosity; }
 
   const AnyMatrix& matrix() const { return matrix_; }
-  bool has_fibers() const { return families_ > 0; }
+  bool is_matrix_alone() const { return families_ == 0 && viscosity_.terms == 0; }
+  /// Numbers of history that it needs.
+  int states_used() const { return viscosity_.states(); }
 
   /// The matrix's, and of each family a shear modulus of E/15 and a bulk modulus of E/9, with E its
   /// modulus in small stretches: exact if it points everywhere alike and resists compression, too.
@@ -57,11 +63,21 @@ class AnyLaw {
     other.matrix_ = matrix_.with_shear_modulus(mu);
     return other;
   }
-  bool may_be_averaged() const { return matrix_.may_be_averaged(); }
-  KOKKOS_INLINE_FUNCTION void recall(const double* history) { matrix_.recall(history); }
+  /// Not where the stress of volume relaxes, too.
+  bool may_be_averaged() const {
+    return matrix_.may_be_averaged() && (viscosity_.terms == 0 || viscosity_.is_deviatoric);
+  }
+  /// \param history    of the particle, states_used() numbers; it must stay where it is
+  /// \param time_step  length of the step [s]
+  KOKKOS_INLINE_FUNCTION void recall(const double* history, double time_step) {
+    history_ = history;
+    time_step_ = time_step;
+  }
   KOKKOS_INLINE_FUNCTION void new_state(const Tensor3& H, double log_j, double log_of_volume,
                                         double* next) const {
-    matrix_.new_state(H, log_j, log_of_volume, next);
+    if (!relaxes()) return;
+    const Tensor3 tau = elastic_stress(H, log_j, stress_of_volume(log_of_volume));
+    viscosity_.advance(history_, time_step_, pulled_back(tau, H, log_j), next);
   }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
     return matrix_.energy_of_volume(log_j);
@@ -78,9 +94,50 @@ class AnyLaw {
     return sum;
   }
 
-  /// tau = tau_matrix + sum weight 2 psi' m x m,   m = F N.
+  /// tau_e without viscosity. With it k tau_e + F Q F^T; or, of the deviatoric part alone,
+  ///
+  ///     tau_e + (k - 1) dev tau_e + dev(Fbar Q Fbar^T),   Fbar = J^(-1/3) F.
   KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
                                                   const VolumetricStress& volume) const {
+    const Tensor3 tau = elastic_stress(H, log_j, volume);
+    return relaxes() ? relaxed(tau, H, log_j) : tau;
+  }
+
+  /// With viscosity c = k c_e; or, of the deviatoric part alone of a law whose W1 is isochoric, with
+  /// q = Fbar Q Fbar^T, s = dev q and P = I4 - 1/3 I x I,
+  ///
+  ///     c = c_e + (k - 1) (c_e - c_volume) - 2/3 (s x I + I x s) + 2/3 tr q P,
+  ///     c_volume = M I x I - 2 p I4.
+  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
+                                             const VolumetricStress& volume) const {
+    FullTangent result = elastic_tangent(H, log_j, volume);
+    if (!relaxes()) return result;
+    const Tensor3 elastic = result.tau;
+    const double k = viscosity_.factor(time_step_);
+    result.tau = relaxed(elastic, H, log_j);
+    IsotropicTangent added{{}, {}, 0.0, 0.0};
+    if (viscosity_.is_deviatoric) {
+      const Tensor3 q = memory(H, log_j);
+      added.s = tensor::deviator(q);
+      added.symmetric = tensor::trace(q) / 3.0 + (k - 1.0) * volume.pressure;
+      added.volumetric = -2.0 / 9.0 * tensor::trace(q) - (k - 1.0) * volume.modulus;
+    }
+    const Tensor4 more = added.in_full();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int l = 0; l < 3; ++l)
+          for (int m = 0; m < 3; ++m) {
+            const double geometric = (i == l) * elastic(j, m);
+            result.a(i, j, l, m) = k * (result.a(i, j, l, m) - geometric) + more(i, j, l, m) +
+                                   (i == l) * result.tau(j, m);
+          }
+    return result;
+  }
+
+ private:
+  /// tau = tau_matrix + sum weight 2 psi' m x m,   m = F N.
+  KOKKOS_INLINE_FUNCTION Tensor3 elastic_stress(const Tensor3& H, double log_j,
+                                                const VolumetricStress& volume) const {
     Tensor3 tau = matrix_.kirchhoff_stress(H, log_j, volume);
     for_each_fiber(H, [&](const double m[3], double weight, const FiberResponse& psi) {
       for (int i = 0; i < 3; ++i)
@@ -91,8 +148,8 @@ class AnyLaw {
 
   /// c = c_matrix + sum weight 4 psi'' m x m x m x m. The sum is symmetric in all subscripts: its
   /// 15 numbers belong to the powers x^a y^b z^c of degree 4.
-  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
-                                             const VolumetricStress& volume) const {
+  KOKKOS_INLINE_FUNCTION FullTangent elastic_tangent(const Tensor3& H, double log_j,
+                                                     const VolumetricStress& volume) const {
     FullTangent result = matrix_.tangent(H, log_j, volume);
     if (families_ == 0) return result;
     Tensor3 tau;
@@ -121,7 +178,33 @@ class AnyLaw {
     return result;
   }
 
- private:
+  KOKKOS_INLINE_FUNCTION bool relaxes() const {
+    return viscosity_.terms > 0 && history_ != nullptr;
+  }
+  /// F scaled as the viscosity's stress wants it.
+  KOKKOS_INLINE_FUNCTION Tensor3 carrier(const Tensor3& H, double log_j) const {
+    const Tensor3 F = tensor::identity() + H;
+    return viscosity_.is_deviatoric ? exp(-log_j / 3.0) * F : F;
+  }
+  /// S_e of a Kirchhoff stress.
+  KOKKOS_INLINE_FUNCTION Tensor3 pulled_back(const Tensor3& tau, const Tensor3& H,
+                                             double log_j) const {
+    const Tensor3 back = tensor::inverse(carrier(H, log_j));
+    return back * (viscosity_.is_deviatoric ? tensor::deviator(tau) : tau) *
+           tensor::transpose(back);
+  }
+  /// F Q F^T.
+  KOKKOS_INLINE_FUNCTION Tensor3 memory(const Tensor3& H, double log_j) const {
+    const Tensor3 F = carrier(H, log_j);
+    return F * viscosity_.memory(history_, time_step_) * tensor::transpose(F);
+  }
+  KOKKOS_INLINE_FUNCTION Tensor3 relaxed(const Tensor3& tau, const Tensor3& H, double log_j) const {
+    const double k = viscosity_.factor(time_step_);
+    const Tensor3 q = memory(H, log_j);
+    return viscosity_.is_deviatoric ? tau + (k - 1.0) * tensor::deviator(tau) + tensor::deviator(q)
+                                    : k * tau + q;
+  }
+
   /// f(m, weight, psi) for each direction of each family, m = F N, psi at x = I - 1 =
   /// 2 N.H.N + |H N|^2.
   template <class F>
@@ -145,12 +228,18 @@ class AnyLaw {
   AnyMatrix matrix_;
   FiberFamily family_[most_families];
   int families_ = 0;
+  Viscosity viscosity_;
+  const double* history_ = nullptr;
+  double time_step_ = 0.0;
 };
 
 /// Its kernels ask each particle for what it has of its own.
 template <>
 inline constexpr bool is_asked_by_particle<AnyLaw> = true;
 inline bool may_be_averaged(const AnyLaw& law) { return law.may_be_averaged(); }
-KOKKOS_INLINE_FUNCTION void recall(AnyLaw& law, const double* history) { law.recall(history); }
+inline int states_used(const AnyLaw& law) { return law.states_used(); }
+KOKKOS_INLINE_FUNCTION void recall(AnyLaw& law, const double* history, double time_step) {
+  law.recall(history, time_step);
+}
 
 }  // namespace stroma::material

@@ -19,6 +19,8 @@ struct CoupledNeoHookean {
   double shear_modulus;  ///< mu [Pa], > 0
   double lame_modulus;   ///< lambda [Pa], > -2/3 mu
 
+  static constexpr bool is_isochoric = false;
+
   static const char* name() { return "Coupled Neo-Hookean"; }
   static const char* meaning() {
     return "W = mu/2 (tr C - 3) - mu ln J + lambda/2 (ln J)^2 (\"neo-Hookean\" of FEBio)";

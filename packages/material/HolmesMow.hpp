@@ -22,6 +22,7 @@ struct HolmesMow {
   double exponent;       ///< beta [-], > 0
 
   static constexpr bool has_energy_of_volume = false;
+  static constexpr bool is_isochoric = false;
 
   static const char* name() { return "Holmes-Mow"; }
   static const char* meaning() {

@@ -33,12 +33,15 @@
 ///     // only of a law whose stiffness may differ from particle to particle: the same material with
 ///     // this mu of small strain [Pa]; all moduli in proportion, so that Poisson's ratio stays
 ///     L with_shear_modulus(double mu) const;
+///     // only of a law whose W1 changes with the volume
+///     static constexpr bool is_isochoric = false;
 ///     // only of a law without an energy of volume, U = 0, which admits no mean dilatation
 ///     static constexpr bool has_energy_of_volume = false;
 ///     // only of a law that remembers: its numbers of history and those that a particle has by now,
 ///     // of the last accepted step and zeros before the first; energies and stresses may read them
 ///     static constexpr int states = ...;
 ///     double state[states] = {};
+///     double time_step = 0.0;  // [s], if it needs it: of the step that states are to be those after
 ///     // what a step makes of them once it is accepted; ln J of the particle, and of its volume as
 ///     // energies of volume take it (the same, but for mean dilatation)
 ///     void new_state(const Tensor3& H, double log_j, double log_of_volume, double* next) const;
@@ -99,11 +102,31 @@ template <class Law>
 constexpr bool has_energy_of_volume<Law, std::void_t<decltype(Law::has_energy_of_volume)>> =
     Law::has_energy_of_volume;
 
-/// Gives a law the history of a particle, states_of<Law> numbers.
+/// Whether W1 does not change with the volume: it does not, unless the law says `static constexpr
+/// bool is_isochoric = false`.
+template <class Law, class = void>
+constexpr bool is_isochoric = true;
 template <class Law>
-KOKKOS_INLINE_FUNCTION void recall(Law& law, const double* history) {
+constexpr bool is_isochoric<Law, std::void_t<decltype(Law::is_isochoric)>> = Law::is_isochoric;
+
+/// Those that a law needs; no more than states_of<Law>.
+template <class Law>
+int states_used(const Law&) {
+  return states_of<Law>;
+}
+
+/// Whether a law has a time_step.
+template <class Law, class = void>
+constexpr bool knows_time = false;
+template <class Law>
+constexpr bool knows_time<Law, std::void_t<decltype(std::declval<Law&>().time_step)>> = true;
+
+/// Gives a law the history of a particle, states_of<Law> numbers, and the length of the step [s].
+template <class Law>
+KOKKOS_INLINE_FUNCTION void recall(Law& law, const double* history, double time_step) {
   if constexpr (states_of < Law >> 0)
     for (int n = 0; n < states_of<Law>; ++n) law.state[n] = history[n];
+  if constexpr (knows_time<Law>) law.time_step = time_step;
 }
 
 /// K = 2 mu (1 + nu) / (3 (1 - 2 nu))  [Pa].

@@ -16,7 +16,8 @@ Compressibility compressibility(const NamedMaterials& materials) {
     all.largest_poisson_ratio =
         std::max(all.largest_poisson_ratio,
                  given != m.numbers.end() ? given->second : law.small_strain().poisson_ratio());
-    all.may_be_averaged = all.may_be_averaged && may_be_averaged(law);
+    const bool volume_relaxes = m.viscosity && !m.viscosity->is_deviatoric;
+    all.may_be_averaged = all.may_be_averaged && may_be_averaged(law) && !volume_relaxes;
   }
   return all;
 }
@@ -44,6 +45,16 @@ FiberFamily family_of(const FiberParameters& fibers, std::vector<FiberDirections
           static_cast<int>(all.size())};
 }
 
+Viscosity viscosity_of(const ViscosityParameters& given) {
+  Viscosity viscosity;
+  viscosity.terms = static_cast<int>(given.moduli.size());
+  viscosity.long_term = given.long_term;
+  std::copy(given.moduli.begin(), given.moduli.end(), viscosity.modulus);
+  std::copy(given.times.begin(), given.times.end(), viscosity.time);
+  viscosity.is_deviatoric = given.is_deviatoric;
+  return viscosity;
+}
+
 }  // namespace
 
 MaterialLaws laws_of(const NamedMaterials& materials) {
@@ -53,9 +64,16 @@ MaterialLaws laws_of(const NamedMaterials& materials) {
     if (material.fibers && !model_of(material).takes_directions)
       for (const auto& family : material.fibers->families)
         law.add(family_of(family.second, all.directions));
+    if (material.viscosity) law.set_viscosity(viscosity_of(*material.viscosity));
     all.laws.push_back(law);
   }
   return all;
+}
+
+int states_of_materials(const NamedMaterials& materials) {
+  int states = 0;
+  for (const AnyLaw& law : laws_of(materials).laws) states = std::max(states, law.states_used());
+  return states;
 }
 
 bool vary_in_stiffness(const NamedMaterials& materials) {

@@ -34,6 +34,14 @@ struct FibersParameters {
   std::vector<std::pair<std::string, FiberParameters>> families;  ///< by the user's names
 };
 
+/// Relaxation of a material's stress: the deck's list `Viscosity`.
+struct ViscosityParameters {
+  double long_term = 1.0;      ///< G0 [-]
+  std::vector<double> moduli;  ///< g_i [-], >= 0
+  std::vector<double> times;   ///< t_i [s], one each, > 0
+  bool is_deviatoric = false;
+};
+
 struct MaterialParameters {
   int label = 0;
   int model = 0;  ///< place in the list of laws
@@ -44,6 +52,7 @@ struct MaterialParameters {
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
   std::optional<FibersParameters> fibers;
+  std::optional<ViscosityParameters> viscosity;
   std::optional<MaterialFields> fields;
 };
 
@@ -57,7 +66,7 @@ struct MaterialsParameters {
 /// How materials resist a change of volume.
 struct Compressibility {
   double largest_poisson_ratio;  ///< of small strain
-  bool may_be_averaged = true;   ///< all laws have an energy of volume
+  bool may_be_averaged = true;   ///< all laws have an energy of volume that does not relax
 };
 
 /// Of at least one material.
@@ -72,6 +81,9 @@ struct MaterialLaws {
   std::vector<FiberDirections> directions;
 };
 MaterialLaws laws_of(const NamedMaterials& materials);
+
+/// Numbers of history that particles need.
+int states_of_materials(const NamedMaterials& materials);
 
 /// Whether the shear modulus of a material varies within it.
 bool vary_in_stiffness(const NamedMaterials& materials);

@@ -107,6 +107,7 @@ template <class Law>
 Model model_of() {
   Model model = described<Law, Model>();
   model.may_vary_in_stiffness = material::may_vary_in_stiffness<Law>;
+  model.is_isochoric = material::is_isochoric<Law>;
   model.law = [](const MaterialParameters& given) -> AnyMatrix { return filled<Law>(given); };
   return model;
 }

@@ -36,6 +36,7 @@ struct NamedNumbers {
 struct Model : NamedNumbers {
   bool has_volumetric_energy = false;
   bool takes_directions = false;       ///< of Fibers it takes the directions, and no laws
+  bool is_isochoric = true;            ///< W1 does not change with the volume
   bool may_vary_in_stiffness = false;  ///< "Shear Modulus [Pa]" may be a field
   /// The law with a material's numbers, all of which must be there.
   std::function<AnyMatrix(const MaterialParameters&)> law;

@@ -33,8 +33,8 @@ class OneOf : public TaggedUnion<Laws...> {
         return law;
     });
   }
-  KOKKOS_INLINE_FUNCTION void recall(const double* history) {
-    this->change([=](auto& law) { material::recall(law, history); });
+  KOKKOS_INLINE_FUNCTION void recall(const double* history, double time_step) {
+    this->change([=](auto& law) { material::recall(law, history, time_step); });
   }
   KOKKOS_INLINE_FUNCTION void new_state(const Tensor3& H, double log_j, double log_of_volume,
                                         double* next) const {
@@ -80,8 +80,8 @@ bool may_be_averaged(const OneOf<Laws...>& law) {
 }
 
 template <class... Laws>
-KOKKOS_INLINE_FUNCTION void recall(OneOf<Laws...>& law, const double* history) {
-  law.recall(history);
+KOKKOS_INLINE_FUNCTION void recall(OneOf<Laws...>& law, const double* history, double time_step) {
+  law.recall(history, time_step);
 }
 
 /// Whether kernels ask for a law particle by particle: for one that remembers, and for OneOf. A

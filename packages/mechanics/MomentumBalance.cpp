@@ -37,6 +37,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     : body_(communicator, partition, particles, problem),
       base_load_(base_load),
       load_(base_load),
+      history_load_(base_load),
       terms_(terms_of(problem)),
       stiffest_diagonal_(body_.typical_diagonal()) {
   for (const auto& term : terms_) {
@@ -79,6 +80,12 @@ void MomentumBalance::find_supports(bool is_refused_if_loose) {
 
 void MomentumBalance::set_load(double load) {
   load_ = load;
+  // Histories depend on time, and all forces on histories.
+  const double step = (load - history_load_) * problem().duration;
+  const bool remembers =
+      std::any_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->remembers(); });
+  if (remembers && step != body_.time_step()) forget_forces();
+  body_.set_time_step(step);
   for (const auto& term : terms_) term->set_load(load);
 }
 
@@ -143,17 +150,18 @@ void MomentumBalance::load_derivative(const grid::Vector& u, grid::Vector& deriv
   grid::Vector rate(owned_map()), force(owned_map());
   supports_->rate(load_, rate);
   tangent_times(u, rate, derivative);
-  const auto at_u = state(u);
+  const double load = load_;
   constexpr double step = 1e-3;
-  for (const auto& term : terms_) {
-    if (!term->changes_with_load()) continue;
-    for (const double sign : {1.0, -1.0}) {
-      term->set_load(load_ + sign * step);
+  for (const double sign : {1.0, -1.0}) {
+    set_load(load + sign * step);
+    const auto at_u = state(u);
+    for (const auto& term : terms_) {
+      if (!term->changes_with_load() && !term->remembers()) continue;
       term->force(at_u, force);
       derivative.update(sign / (2.0 * step), force, 1.0);
     }
-    term->set_load(load_);
   }
+  set_load(load);
   supports_->clear(derivative);
 }
 
@@ -249,10 +257,13 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
 
 void MomentumBalance::accept(const grid::Vector& u) {
   const auto remembers = [](const auto& term) { return term->remembers(); };
-  if (std::none_of(terms_.begin(), terms_.end(), remembers)) return;
-  const auto at_u = state(u);
-  for (const auto& term : terms_) term->accept(at_u);
-  forget_forces();
+  if (std::any_of(terms_.begin(), terms_.end(), remembers)) {
+    const auto at_u = state(u);
+    for (const auto& term : terms_) term->accept(at_u);
+    forget_forces();
+  }
+  history_load_ = load_;
+  body_.set_time_step(0.0);
 }
 
 }  // namespace stroma::mechanics

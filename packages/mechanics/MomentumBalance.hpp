@@ -137,6 +137,7 @@ class MomentumBalance {
 
   Body body_;
   double base_load_, load_;
+  double history_load_;  // at which histories were written last
   Terms terms_;
   double stiffest_diagonal_;  // [pN/um]
   std::unique_ptr<Supports> supports_;

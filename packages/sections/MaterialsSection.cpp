@@ -9,6 +9,7 @@
 #include "stroma/sections/FibersSection.hpp"
 #include "stroma/sections/MaterialFieldsSection.hpp"
 #include "stroma/sections/ModelNumbers.hpp"
+#include "stroma/sections/ViscositySection.hpp"
 
 namespace stroma::sections {
 
@@ -96,9 +97,20 @@ deck::Section<MaterialsParameters> materials_section() {
                     "Mass density, for forces per mass and for Deformation Gradient = Projected "
                     "Displacement; there, materials without it count as equally dense.");
   material.section(fibers_section(), &MaterialParameters::fibers);
+  material.section(viscosity_section(), &MaterialParameters::viscosity);
   material.section(material_fields_section(), &MaterialParameters::fields);
   material.check(check_model);
   material.check(check_fibers);
+  material.check([](const MaterialParameters& p, deck::Findings& findings) {
+    if (!p.viscosity || !p.viscosity->is_deviatoric) return;
+    const Model& model = model_of(p);
+    if (!model.is_isochoric || (p.fibers && !model.takes_directions))
+      findings.add("Viscosity|Applies To",
+                   "\"Deviatoric\" asks for a law whose energies of shape and volume are apart, " +
+                       (model.is_isochoric ? std::string("without Fibers of their own")
+                                           : "which Model = " + model.name + " is not") +
+                       "; admissible: \"All\"");
+  });
   material.check([](const MaterialParameters& p, deck::Findings& findings) {
     if (!p.fields || model_of(p).may_vary_in_stiffness) return;
     for (const auto& [name, field] : p.fields->fields)

@@ -56,6 +56,7 @@ struct PointSet {
   ParticleDomains<Device> domains = {};  ///< as seeded
   bool stretches_domains = true;         ///< domains are F times as seeded
   bool averages_dilatation = false;      ///< over each element (MeanDilatation.hpp)
+  double time_step = 0.0;                ///< since the histories [s]
 };
 
 /// Particles and displaced nodes of a rank, element by element.
@@ -85,6 +86,7 @@ struct ElementParticles : PointSet<Device> {
   using PointSet<Device>::domains;
   using PointSet<Device>::stretches_domains;
   using PointSet<Device>::averages_dilatation;
+  using PointSet<Device>::time_step;
 
   /// Fictitious points of an element that has some: a regular pattern, as many per direction as
   /// there are functions.

@@ -22,12 +22,12 @@ struct UpdateHistory {
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       const double log_j = material::log_jacobian(point.H);
       double next[material::states_of<Law>] = {};
-      law_at(law, elements.particles, point)
+      law_at(law, elements.particles, point, elements.time_step)
           .new_state(point.H, log_j,
                      mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j,
                      next);
-      for (int n = 0; n < material::states_of<Law>; ++n)
-        elements.particles.history(point.p, n) = next[n];
+      const auto numbers = static_cast<int>(elements.particles.history.extent(1));
+      for (int n = 0; n < numbers; ++n) elements.particles.history(point.p, n) = next[n];
     });
   }
 };

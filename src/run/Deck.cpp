@@ -63,6 +63,15 @@ void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& finding
     look_for("External Forces|" + name, force.load_curve);
 }
 
+void refuse_viscosity_without_time(const DeckParameters& p, deck::Findings& findings) {
+  if (p.loading.has_time()) return;
+  for (const auto& [name, material] : p.materials.materials)
+    if (material.viscosity) {
+      findings.add("Loading|Duration [s]", "missing; material \"" + name + "\" has a Viscosity");
+      return;
+    }
+}
+
 /// Gives conditions and forces the curves that they name.
 void attach_load_curves(DeckParameters& p) {
   const auto attach = [&](auto& named) {
@@ -81,9 +90,15 @@ void refuse_mean_without_energy_of_volume(const DeckParameters& p, deck::Finding
   for (const auto& named : p.materials.materials)
     if (!material::compressibility({named}).may_be_averaged)
       findings.add("Grid|Dilatation",
-                   "\"Element Mean\" averages the energy of volume, which Model = " +
-                       material::model_of(named.second).name + " of material \"" + named.first +
-                       "\" does not have; admissible with it: \"Pointwise\", \"Automatic\"");
+                   "\"Element Mean\" averages the energy of volume, which " +
+                       (named.second.viscosity && !named.second.viscosity->is_deviatoric
+                            ? "relaxes in material \"" + named.first +
+                                  "\"; admissible with it: Viscosity|Applies To = Deviatoric, or "
+                                  "\"Pointwise\""
+                            : "Model = " + material::model_of(named.second).name +
+                                  " of material \"" + named.first +
+                                  "\" does not have; admissible with it: \"Pointwise\", "
+                                  "\"Automatic\""));
 }
 
 }  // namespace
@@ -107,6 +122,7 @@ deck::Section<DeckParameters> deck_section() {
   section.section(sections::output_section(), &DeckParameters::output);
   section.check(refuse_fields_without_intensities);
   section.check(refuse_unknown_load_curves);
+  section.check(refuse_viscosity_without_time);
   section.check(refuse_mean_without_energy_of_volume);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {

@@ -180,6 +180,7 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   problem.laws = mechanics::LawList{made.laws, material::vary_in_stiffness(p.materials.materials),
                                     made.directions};
   problem.laws.extremes = specimen.extremes;
+  problem.duration = p.loading.seconds();
   problem.conditions = p.boundary_conditions.conditions;
   problem.forces = p.external_forces.forces;
   for (const auto& named : p.materials.materials)

@@ -95,7 +95,8 @@ Body::Points Body::points(const grid::Vector& u) const {
           fictitious_volume_,
           domains_,
           problem_.method.particle_domain == ParticleDomain::stretched,
-          problem_.method.dilatation == Dilatation::element_mean};
+          problem_.method.dilatation == Dilatation::element_mean,
+          time_step_};
 }
 
 Body::NodeCounts Body::elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
@@ -183,6 +184,7 @@ void Body::replace_displacement(const grid::Vector& old, const grid::Vector& now
 }
 
 void Body::take_history(const Body& other) {
+  time_step_ = other.time_step_;
   if (stress_->states() > 0) particles_.history = other.particles_on(halo_.partition()).history;
 }
 

@@ -58,6 +58,10 @@ class Body {
   /// About the size of an element's entries on the tangent's diagonal [pN/um].
   double typical_diagonal() const { return typical_diagonal_; }
 
+  /// Time since the histories of the particles [s], from now on.
+  void set_time_step(double seconds) { time_step_ = seconds; }
+  double time_step() const { return time_step_; }
+
   /// The body's points with a displacement, good until the halo gathers another vector.
   Points points(const grid::Vector& u) const;
 
@@ -116,6 +120,7 @@ class Body {
   Kokkos::View<const float*, Device> fictitious_volume_;
   transfer::ParticleDomains<Device> domains_;
   double typical_diagonal_;
+  double time_step_ = 0.0;
 };
 
 }  // namespace stroma::mechanics

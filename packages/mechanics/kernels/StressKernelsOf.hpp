@@ -24,9 +24,11 @@ class StressKernelsOf : public StressKernels {
       : law_(grid::to_device("law", laws)),
         may_be_averaged_(std::all_of(laws.begin(), laws.end(), [](const Law& law) {
           return material::may_be_averaged(law);
-        })) {}
+        })) {
+    for (const Law& law : laws) states_ = std::max(states_, material::states_used(law));
+  }
 
-  int states() const override { return material::states_of<Law>; }
+  int states() const override { return states_; }
   bool may_be_averaged() const override { return may_be_averaged_; }
   bool read_shear_modulus() const override {
     return material::is_asked_by_particle<Law> && material::may_vary_in_stiffness<Law>;
@@ -79,6 +81,7 @@ class StressKernelsOf : public StressKernels {
 
   Kokkos::View<const Law*, Device> law_;  // of each material
   bool may_be_averaged_;
+  int states_ = 0;
 };
 
 /// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, the
@@ -91,7 +94,7 @@ std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
   using material::NeoHookean;
   const std::vector<AnyLaw>& all = laws.of_material;
   const bool are_neo_hookean = std::all_of(all.begin(), all.end(), [](const AnyLaw& law) {
-    return !law.has_fibers() && law.matrix().is<NeoHookean>();
+    return law.is_matrix_alone() && law.matrix().is<NeoHookean>();
   });
   if (laws.vary || !are_neo_hookean) return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all);
   std::vector<NeoHookean> alike;

@@ -32,6 +32,10 @@ std::vector<CaseCondition> conditions_of(const std::string& name) {
               : strain(name[1] == '3' ? "-0.20" : "0.20");
       return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", moved, "F_y1"}};
     }
+    case 'T':  // a ramp, held
+      return {
+          {"bottom", "y-", "xyz", "", "F_y0"},
+          {"top", "y+", "xyz", strain("0.10") + parameter("Load Curve", "string", "ramp"), "F_y1"}};
     default:  // clamped grips
       return {{"bottom", "y-", "xyz", "", "F_y0"}, {"top", "y+", "xyz", strain("0.10"), "F_y1"}};
   }
@@ -110,6 +114,10 @@ std::string law_parameters(const nlohmann::json& material) {
                                         {"kappa", "Kappa"},
                                         {"K", "Bulk Modulus [Pa]"},
                                         {"nu", "Poisson Ratio"}});
+  if (material.contains("prony"))
+    text += list("Viscosity",
+                 numbers(material.at("prony"),
+                         {{"g0", "G0"}, {"g", "Moduli"}, {"tau", "Relaxation Times [s]"}}));
   std::string families;
   if (material.contains("fiber"))
     families += list("family", parameter("Law", "string", "Exponential-Power") +
@@ -163,6 +171,17 @@ void ReferenceCase::write_labels(const fs::path& path) const {
   image::write_tiff(base::Communicator::self(), path.string(), labels);
 }
 
+std::string ReferenceCase::loading() const {
+  const auto& steps = results().at("steps");
+  if (!steps.front().contains("time"))
+    return list("Loading", parameter("Steps", "int", std::to_string(steps.size())));
+  nlohmann::json times;
+  for (const auto& step : steps) times.push_back(step.at("time"));
+  return list("Loading", numbers({{"times", times}}, {{"times", "Times [s]"}})) +
+         list("Load Curves", list("ramp", parameter("Times [s]", "Array(double)", "{0, 1}") +
+                                              parameter("Values", "Array(double)", "{0, 1}")));
+}
+
 fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
   write_labels(folder / "labels.tif");
   const auto sized = [](const std::array<double, 3>& a, double factor) {
@@ -198,9 +217,7 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
                         parameter("Plane Strain", "bool", name_.front() == 'D' ? "true" : "false") +
                         parameter("Dilatation", "string",
                                   has_mean_dilatation() ? "Element Mean" : "Pointwise")) +
-               list("Boundary Conditions", boundary) +
-               list("Loading",
-                    parameter("Steps", "int", std::to_string(results().at("steps").size()))) +
+               list("Boundary Conditions", boundary) + loading() +
                list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
                                   parameter("Linear Tolerance", "double", "1e-8") +
                                   parameter("Preconditioner", "string", "Jacobi")) +

@@ -45,6 +45,7 @@ class ReferenceCase {
  private:
   bool is_vessel(std::int64_t element, int point) const;
   void write_labels(const fs::path& path) const;
+  std::string loading() const;
 
   nlohmann::json json_;
   std::string name_;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// Relaxation of a stress: the update against the convolution, and the tangent that goes with it.
+/// Claims V-VISC-1 and V-VISC-2, docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "stroma/material/AnyLaw.hpp"
+
+namespace stroma::material {
+namespace {
+
+using tensor::contract;
+using tensor::identity;
+using tensor::inverse;
+using tensor::transpose;
+
+double norm(const Tensor3& a) { return std::sqrt(contract(a, a)); }
+
+Viscosity two_terms(bool is_deviatoric) {
+  Viscosity viscosity;
+  viscosity.terms = 2;
+  viscosity.long_term = 0.8;
+  viscosity.modulus[0] = 0.6;
+  viscosity.modulus[1] = 0.3;
+  viscosity.time[0] = 0.5;
+  viscosity.time[1] = 5.0;
+  viscosity.is_deviatoric = is_deviatoric;
+  return viscosity;
+}
+
+/// S at the end of steps of these lengths, through which S_e grows by `rate` a second.
+double stress_after(const std::vector<double>& steps, double rate) {
+  const Viscosity viscosity = two_terms(false);
+  double history[Viscosity::most_states] = {}, elastic = 0.0, stress = 0.0;
+  for (const double dt : steps) {
+    elastic += rate * dt;
+    Tensor3 S;
+    S(0, 0) = elastic;
+    stress = viscosity.factor(dt) * elastic + viscosity.memory(history, dt)(0, 0);
+    double next[Viscosity::most_states];
+    viscosity.advance(history, dt, S, next);
+    std::copy(next, next + viscosity.states(), history);
+  }
+  return stress;
+}
+
+// V-VISC-1. S_e = r t gives S = r (G0 t + sum g_i t_i (1 - exp(-t / t_i))), in one step or many.
+TEST(Viscosity, IsExactForAStressThatGrowsEvenly) {
+  const double r = 7.0, t = 2.0;
+  const double exact =
+      r * (0.8 * t - 0.6 * 0.5 * std::expm1(-t / 0.5) - 0.3 * 5.0 * std::expm1(-t / 5.0));
+  for (const auto& steps : {std::vector<double>{2.0}, {0.5, 1.5}, {1.0, 0.25, 0.75}})
+    EXPECT_NEAR(stress_after(steps, r), exact, 1e-13 * exact);
+}
+
+TEST(Viscosity, OfASuddenLoadIsTheSumOfAllModuli) {
+  const Viscosity viscosity = two_terms(false);
+  EXPECT_DOUBLE_EQ(viscosity.factor(0.0), 1.7);
+  EXPECT_NEAR(viscosity.factor(1e-9), 1.7, 1e-8);
+  EXPECT_NEAR(viscosity.factor(1e9), 0.8, 1e-8);
+}
+
+const Tensor3 H{{{0.10, 0.30, -0.05}, {-0.20, 0.05, 0.15}, {0.08, -0.12, 0.02}}};
+const Tensor3 D{{{0.7, -0.4, 0.2}, {0.5, 0.3, -0.6}, {-0.1, 0.8, 0.9}}};
+
+// V-VISC-2. With a history of three stresses that are not those of H.
+TEST(Viscosity, TangentIsTheDerivativeOfTheStress) {
+  double history[18];
+  for (int n = 0; n < 18; ++n) history[n] = 40.0 * std::sin(1.0 + 1.7 * n);
+  const AnyLaw matrices[] = {CoupledNeoHookean{520.8, 700.0}, NeoHookean{520.8, 2430.4},
+                             VerondaWestmann{{2430.4}, 100.0, 4.0}};
+  for (const AnyLaw& matrix : matrices)
+    for (const bool is_deviatoric : {false, true}) {
+      if (is_deviatoric && matrix.matrix().is<CoupledNeoHookean>()) continue;
+      AnyLaw law = matrix;
+      law.set_viscosity(two_terms(is_deviatoric));
+      law.recall(history, 0.7);
+      const Tensor3 F = identity() + H, dF = D * F;
+      const auto piola = [&](const Tensor3& at) {
+        return kirchhoff_stress(law, at) * transpose(inverse(identity() + at));
+      };
+      const Tensor4 a = tangent(law, H).in_full();
+      Tensor3 product;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          for (int k = 0; k < 3; ++k)
+            for (int l = 0; l < 3; ++l) {
+              product(i, j) += a(i, j, k, l) * D(k, l);
+              EXPECT_NEAR(a(i, j, k, l), a(k, l, i, j), 1e-11 * 2430.4);
+            }
+      const double h = 1e-5;
+      const Tensor3 slope = (0.5 / h) * (piola(H + h * dF) - piola(H - h * dF));
+      EXPECT_LT(norm(slope - product * transpose(inverse(F))), 1e-8 * norm(slope)) << is_deviatoric;
+      EXPECT_LT(norm(tangent(law, H).tau - kirchhoff_stress(law, H)), 1e-12 * norm(slope));
+    }
+}
+
+// Turning the specimen turns the stress: the history refers to the undeformed body.
+TEST(Viscosity, RotatesWithTheSpecimen) {
+  double history[18];
+  for (int n = 0; n < 18; ++n) history[n] = 40.0 * std::cos(2.0 + 1.3 * n);
+  for (const bool is_deviatoric : {false, true}) {
+    AnyLaw law = NeoHookean{520.8, 2430.4};
+    law.set_viscosity(two_terms(is_deviatoric));
+    law.recall(history, 0.7);
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    const Tensor3 Q{{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}}, F = identity() + H;
+    const Tensor3 tau = kirchhoff_stress(law, H);
+    EXPECT_LT(norm(kirchhoff_stress(law, Q * F - identity()) - Q * tau * transpose(Q)),
+              1e-12 * norm(tau));
+  }
+}
+
+}  // namespace
+}  // namespace stroma::material
