@@ -7,8 +7,8 @@
 #
 #   --root DIR      where the root is; else build/roots/SUITE. It takes 8 GB and may lie outside the project
 #   --part PART     demo: cmake/demo.sh only; test: the tests only; else both. On sid the tests are those of the preset
-#                   release that are marked unit or verification, and the applications that couple. user: the demo by one who is not root and may not
-#                   write to the clone
+#                   release that are marked unit or verification, and the applications that couple. user: the demo by
+#                   one who is not root and may not write to the clone
 #   --ccache DIR    a folder of compiled objects to share between roots; else one inside the root
 #
 # Prints the time of each part and the number of tests. Mounts go away at the end, the root stays: rm -r removes it.

@@ -146,7 +146,9 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   u.assign(*displacement_of(solver->getSolutionGroup()));
 
   if (finite->getStatus() == NOX::StatusTest::Failed)
-    throw base::StepRejected("particles are turned inside out");
+    throw base::StepRejected(balance_->forces(u).inverted > 0
+                                 ? "particles are turned inside out"
+                                 : "stresses are beyond what numbers hold");
   if (status != NOX::StatusTest::Converged)
     throw base::StepRejected(
         base::format("Newton did not converge in %d iterations (residual %.2e)",
