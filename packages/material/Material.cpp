@@ -3,6 +3,7 @@
 #include "stroma/material/Material.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "stroma/material/Models.hpp"
@@ -55,7 +56,40 @@ Viscosity viscosity_of(const ViscosityParameters& given) {
   return viscosity;
 }
 
+/// Sets a drive's direction, if there is one.
+template <class Drive>
+void point(Drive& drive, const std::optional<std::array<double, 3>>& direction) {
+  if (!direction) return;
+  const auto& d = *direction;
+  const double length = std::hypot(d[0], d[1], d[2]);
+  for (std::size_t i = 0; i < 3; ++i) drive.direction[i] = d[i] / length;
+}
+
+ActiveStress active_stress_of(const MaterialParameters& material) {
+  ActiveStress active;
+  active.t0 = material.active_stress->t0;
+  active.kind = material.active_stress->kind;
+  point(active, direction_of(material, material.active_stress->direction));
+  return active;
+}
+
+Growth growth_of(const MaterialParameters& material) {
+  Growth growth;
+  growth.ratio = material.growth->ratio;
+  growth.kind = material.growth->kind;
+  point(growth, direction_of(material, material.growth->direction));
+  return growth;
+}
+
 }  // namespace
+
+std::optional<std::array<double, 3>> direction_of(const MaterialParameters& material,
+                                                  const std::optional<std::array<double, 3>>& own) {
+  if (own || !material.fibers) return own;
+  for (const auto& family : material.fibers->families)
+    if (family.second.distribution == Distribution::single) return family.second.direction;
+  return std::nullopt;
+}
 
 MaterialLaws laws_of(const NamedMaterials& materials) {
   MaterialLaws all;
@@ -65,6 +99,8 @@ MaterialLaws laws_of(const NamedMaterials& materials) {
       for (const auto& family : material.fibers->families)
         law.add(family_of(family.second, all.directions));
     if (material.viscosity) law.set_viscosity(viscosity_of(*material.viscosity));
+    if (material.active_stress) law.set_active_stress(active_stress_of(material));
+    if (material.growth) law.set_growth(growth_of(material));
     all.laws.push_back(law);
   }
   return all;

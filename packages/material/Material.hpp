@@ -42,6 +42,22 @@ struct ViscosityParameters {
   bool is_deviatoric = false;
 };
 
+/// A stress that the material makes by itself: the deck's list `Active Stress`.
+struct ActiveStressParameters {
+  ActiveStress::Kind kind = ActiveStress::Kind::isotropic;
+  double t0 = 0.0;                                 ///< [Pa]
+  std::optional<std::array<double, 3>> direction;  ///< absent: that of the first single family
+  std::optional<std::string> load_curve;           ///< the deck's name of it
+};
+
+/// The deck's list `Growth`.
+struct GrowthParameters {
+  Growth::Kind kind = Growth::Kind::volume;
+  double ratio = 1.0;                              ///< g at full load [-], > 0
+  std::optional<std::array<double, 3>> direction;  ///< absent: that of the first single family
+  std::optional<std::string> load_curve;           ///< the deck's name of it
+};
+
 struct MaterialParameters {
   int label = 0;
   int model = 0;  ///< place in the list of laws
@@ -53,6 +69,8 @@ struct MaterialParameters {
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
   std::optional<FibersParameters> fibers;
   std::optional<ViscosityParameters> viscosity;
+  std::optional<ActiveStressParameters> active_stress;
+  std::optional<GrowthParameters> growth;
   std::optional<MaterialFields> fields;
 };
 
@@ -81,6 +99,10 @@ struct MaterialLaws {
   std::vector<FiberDirections> directions;
 };
 MaterialLaws laws_of(const NamedMaterials& materials);
+
+/// The direction of a drive: its own, or that of the material's first family with a single one.
+std::optional<std::array<double, 3>> direction_of(const MaterialParameters& material,
+                                                  const std::optional<std::array<double, 3>>& own);
 
 /// Numbers of history that particles need.
 int states_of_materials(const NamedMaterials& materials);

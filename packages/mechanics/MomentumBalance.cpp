@@ -40,6 +40,7 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
       history_load_(base_load),
       terms_(terms_of(problem)),
       stiffest_diagonal_(body_.typical_diagonal()) {
+  body_.set_load(load_, 0.0);
   for (const auto& term : terms_) {
     stiffest_diagonal_ = std::max(stiffest_diagonal_, term->stiffest_diagonal());
     term->set_load(load_);
@@ -80,13 +81,16 @@ void MomentumBalance::find_supports(bool is_refused_if_loose) {
 
 void MomentumBalance::set_load(double load) {
   load_ = load;
-  // Histories depend on time, and all forces on histories.
   const double step = (load - history_load_) * problem().duration;
-  const bool remembers =
-      std::any_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->remembers(); });
-  if (remembers && step != body_.time_step()) forget_forces();
-  body_.set_time_step(step);
+  if (stress_follows_load() && forces_load_ != load_) forget_forces();
+  body_.set_load(load, step);
   for (const auto& term : terms_) term->set_load(load);
+}
+
+bool MomentumBalance::stress_follows_load() const {
+  return !problem().drives.empty() ||
+         std::any_of(terms_.begin(), terms_.end(),
+                     [](const auto& term) { return term->remembers(); });
 }
 
 void MomentumBalance::forget_forces() {
@@ -156,7 +160,7 @@ void MomentumBalance::load_derivative(const grid::Vector& u, grid::Vector& deriv
     set_load(load + sign * step);
     const auto at_u = state(u);
     for (const auto& term : terms_) {
-      if (!term->changes_with_load() && !term->remembers()) continue;
+      if (!term->changes_with_load() && !stress_follows_load()) continue;
       term->force(at_u, force);
       derivative.update(sign / (2.0 * step), force, 1.0);
     }
@@ -263,7 +267,7 @@ void MomentumBalance::accept(const grid::Vector& u) {
     forget_forces();
   }
   history_load_ = load_;
-  body_.set_time_step(0.0);
+  body_.set_load(load_, 0.0);
 }
 
 }  // namespace stroma::mechanics

@@ -130,6 +130,8 @@ class MomentumBalance {
   TrialState state(const grid::Vector& u) const { return {u, body_.points(u)}; }
   Terms terms_of(const Problem& problem) const;
   bool has_forces_at(const grid::Vector& u) const;
+  /// Whether the same displacement has other stresses at another load: by time, or driven.
+  bool stress_follows_load() const;
   grid::RCP<grid::Vector> with_terms(bool changing, const TrialState& state,
                                      grid::RCP<grid::Vector> sum, TermForce& all) const;
   void find_steady_forces(const TrialState& state);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "stroma/base/Log.hpp"
+#include "stroma/sections/DrivesSection.hpp"
 #include "stroma/sections/FibersSection.hpp"
 #include "stroma/sections/MaterialFieldsSection.hpp"
 #include "stroma/sections/ModelNumbers.hpp"
@@ -98,9 +99,12 @@ deck::Section<MaterialsParameters> materials_section() {
                     "Displacement; there, materials without it count as equally dense.");
   material.section(fibers_section(), &MaterialParameters::fibers);
   material.section(viscosity_section(), &MaterialParameters::viscosity);
+  material.section(active_stress_section(), &MaterialParameters::active_stress);
+  material.section(growth_section(), &MaterialParameters::growth);
   material.section(material_fields_section(), &MaterialParameters::fields);
   material.check(check_model);
   material.check(check_fibers);
+  material.check(check_drives);
   material.check([](const MaterialParameters& p, deck::Findings& findings) {
     if (!p.viscosity || !p.viscosity->is_deviatoric) return;
     const Model& model = model_of(p);

@@ -5,6 +5,7 @@
 /// \file
 /// Kinematics of the particles of one element: what every transfer kernel starts from.
 
+#include "stroma/material/Drives.hpp"
 #include "stroma/particles/Particles.hpp"
 #include "stroma/shape/Place.hpp"
 #include "stroma/tensor/Tensor3.hpp"
@@ -57,6 +58,8 @@ struct PointSet {
   bool stretches_domains = true;         ///< domains are F times as seeded
   bool averages_dilatation = false;      ///< over each element (MeanDilatation.hpp)
   double time_step = 0.0;                ///< since the histories [s]
+  /// (material) what drives it; or empty: nothing does.
+  Kokkos::View<const material::MaterialFactors*, Device> factors = {};
 };
 
 /// Particles and displaced nodes of a rank, element by element.

@@ -58,7 +58,7 @@ struct GridToParticles {
         for (int a = 0; a < Shape::nodes; ++a) sum += point.value[a] * u[c][a];
         fields.displacement(p - first, c) = sum;
       }
-      const auto& material = law_at(law, elements.particles, point, elements.time_step);
+      const auto& material = law_at<Law, Device>(law, elements, point);
       const double growth = tensor::det_minus_one(point.H), log_j = log1p(growth);
       double jacobian = 1.0 + growth, log_of_volume = log_j;
       if (mean.holds_for(point)) {

@@ -86,7 +86,7 @@ KOKKOS_FUNCTION MeanPressure mean_pressure(const ElementParticles<Shape, Device>
   const int element = elements.box.element(i, j, k);
   for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
     const material::VolumetricStress stress =
-        law_at(law, particles, p, elements.time_step)
+        law_at<Law, Device>(law, elements, p)
             .stress_of_volume(log_mean_jacobian(elements, mean, p));
     result.pressure += particles.volume(p) * stress.pressure;
     result.slope += particles.volume(p) * (stress.modulus - stress.pressure);
@@ -112,7 +112,7 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const auto& material = law_at(law, elements.particles, point, elements.time_step);
+    const auto& material = law_at<Law, Device>(law, elements, point);
     const double log_j = material::log_jacobian(point.H);
     visit(point,
           material.kirchhoff_stress(point.H, log_j,
@@ -133,7 +133,7 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   ParticlePoint<Shape> whole = {};
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const auto& material = law_at(law, elements.particles, point, elements.time_step);
+    const auto& material = law_at<Law, Device>(law, elements, point);
     const double log_j = material::log_jacobian(point.H);
     material::VolumetricStress volume;
     if (mean.holds_for(point)) {

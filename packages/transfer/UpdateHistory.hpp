@@ -22,7 +22,7 @@ struct UpdateHistory {
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       const double log_j = material::log_jacobian(point.H);
       double next[material::states_of<Law>] = {};
-      law_at(law, elements.particles, point, elements.time_step)
+      law_at<Law, Device>(law, elements, point)
           .new_state(point.H, log_j,
                      mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j,
                      next);

@@ -172,6 +172,30 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   return specimen;
 }
 
+namespace {
+
+/// The curves by which materials are driven; none if no material is.
+std::vector<mechanics::MaterialDrives> drives_of(const DeckParameters& p) {
+  const auto curve_of = [&](const auto& drive) {
+    if (drive)
+      for (const auto& curve : p.load_curves.curves)
+        if (drive->load_curve == curve.first)
+          return mechanics::load_curve(curve.second, p.loading.seconds());
+    return mechanics::LoadCurve{};
+  };
+  std::vector<mechanics::MaterialDrives> drives;
+  bool are_any = false;
+  for (const auto& named : p.materials.materials) {
+    const material::MaterialParameters& m = named.second;
+    are_any = are_any || m.active_stress || m.growth;
+    drives.push_back({curve_of(m.active_stress), curve_of(m.growth)});
+  }
+  if (!are_any) drives.clear();
+  return drives;
+}
+
+}  // namespace
+
 mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   const DeckParameters& p = deck.parameters;
   mechanics::Problem problem;
@@ -181,6 +205,7 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
                                     made.directions};
   problem.laws.extremes = specimen.extremes;
   problem.duration = p.loading.seconds();
+  problem.drives = drives_of(p);
   problem.conditions = p.boundary_conditions.conditions;
   problem.forces = p.external_forces.forces;
   for (const auto& named : p.materials.materials)

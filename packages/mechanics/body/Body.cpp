@@ -96,7 +96,17 @@ Body::Points Body::points(const grid::Vector& u) const {
           domains_,
           problem_.method.particle_domain == ParticleDomain::stretched,
           problem_.method.dilatation == Dilatation::element_mean,
-          time_step_};
+          time_step_,
+          factors_};
+}
+
+void Body::set_load(double load, double time_step) {
+  time_step_ = time_step;
+  if (problem_.drives.empty()) return;
+  std::vector<material::MaterialFactors> factors;
+  for (const MaterialDrives& drives : problem_.drives)
+    factors.push_back({drives.active.at(load), drives.growth.at(load)});
+  factors_ = grid::to_device("factors", factors);
 }
 
 Body::NodeCounts Body::elements_around(const Kokkos::View<const std::uint8_t*, Device>& chosen,
@@ -185,6 +195,7 @@ void Body::replace_displacement(const grid::Vector& old, const grid::Vector& now
 
 void Body::take_history(const Body& other) {
   time_step_ = other.time_step_;
+  factors_ = other.factors_;
   if (stress_->states() > 0) particles_.history = other.particles_on(halo_.partition()).history;
 }
 

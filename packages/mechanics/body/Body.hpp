@@ -58,8 +58,11 @@ class Body {
   /// About the size of an element's entries on the tangent's diagonal [pN/um].
   double typical_diagonal() const { return typical_diagonal_; }
 
-  /// Time since the histories of the particles [s], from now on.
-  void set_time_step(double seconds) { time_step_ = seconds; }
+  /// From now on the materials' drives are those of a load factor.
+  ///
+  /// \param load       the load factor
+  /// \param time_step  time since the histories of the particles [s]
+  void set_load(double load, double time_step);
   double time_step() const { return time_step_; }
 
   /// The body's points with a displacement, good until the halo gathers another vector.
@@ -121,6 +124,7 @@ class Body {
   transfer::ParticleDomains<Device> domains_;
   double typical_diagonal_;
   double time_step_ = 0.0;
+  Kokkos::View<const material::MaterialFactors*, Device> factors_;  // (material) or empty
 };
 
 }  // namespace stroma::mechanics

@@ -21,12 +21,18 @@ namespace stroma::mechanics {
 class Body;
 class Term;
 
+/// How the drives of a material follow the load: its active stress, and its growth.
+struct MaterialDrives {
+  LoadCurve active, growth;
+};
+
 /// Everything about a run that does not change with the load.
 struct Problem {
   grid::Grid body;  ///< the grid at load 0; it fills the body's box
   Laws laws;        ///< of each material
   NamedConditions conditions;
   NamedForces forces = {};
+  std::vector<MaterialDrives> drives = {};  ///< of each material; empty: nothing drives any
   /// Besides, a force per reference volume [pN/um^3] at full load that depends on where a particle
   /// was in the undeformed body, X [um]; empty: none. For applications and tests, not for decks.
   std::function<std::array<double, 3>(const std::array<double, 3>& X)> body_force = {};
