@@ -264,10 +264,37 @@ TEST(TissueLawsDeck, PullsEachBarAsItsLawSays) {
   }
 }
 
+// 10_ramp_and_hold: the force is largest when the ramp ends, and falls from then on towards that of
+// the elastic body, to which its terms add 1.6 times as much at most.
+TEST(RampAndHoldDeck, RelaxesTowardsTheElasticForce) {
+  const TemporaryFolder results;
+  const std::string deck = quoted(decks / "10_ramp_and_hold" / "deck.yaml");
+  ASSERT_EQ(run_stroma(results.path(), "check " + deck).status, 0);
+  const std::string quiet = " --quiet --set 'Output|Pictures=false'";
+  ASSERT_EQ(run_stroma(results.path(), "run " + deck + " -o slow" + quiet, 2).status, 0);
+  ASSERT_EQ(run_stroma(results.path(), "run " + deck + " -o elastic" + quiet +
+                                           " --set 'Materials|collagen|Viscosity|Moduli={0,0,0}'"
+                                           " --set 'Materials|vessel|Viscosity|Moduli={0}'"
+                                           " --set 'Loading|Times [s]={1, 600}'")
+                .status,
+            0);
+  const History slow(results.path() / "slow" / "history.csv");
+  const double elastic = History(results.path() / "elastic" / "history.csv")["top.reaction_y"][1];
+  const auto& time = slow["time"];
+  const auto& force = slow["top.reaction_y"];
+  expect_balance(slow);
+  for (std::size_t s = 1; s < slow.rows(); ++s)
+    EXPECT_EQ(force[s] > force[s - 1], time[s] <= 1.0) << time[s];
+  EXPECT_LT(*std::max_element(force.begin(), force.end()), 2.6 * elastic);
+  EXPECT_GT(force.back(), elastic);
+  EXPECT_LT(force.back(), 1.3 * elastic);
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study.
-  std::vector<std::string> tested{"04_simple_shear", "06_resolution_study", "09_tissue_laws"};
+  std::vector<std::string> tested{"04_simple_shear", "06_resolution_study", "09_tissue_laws",
+                                  "10_ramp_and_hold"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))
