@@ -2,6 +2,7 @@
 
 #include "stroma/mechanics/MovingBody.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,16 @@ namespace {
 bool is_movable(const Problem& problem) {
   return problem.method.reset ||
          problem.method.deformation_gradient == DeformationGradient::projected_displacement;
+}
+
+/// Whether all that moves or drives the body grows with the load, so that it goes on as it came.
+bool follows_the_load(const Problem& problem) {
+  const auto follows = [](const auto& named) { return named.second.curve.is_load(); };
+  return std::all_of(problem.conditions.begin(), problem.conditions.end(), follows) &&
+         std::all_of(problem.forces.begin(), problem.forces.end(), follows) &&
+         std::all_of(problem.drives.begin(), problem.drives.end(), [](const MaterialDrives& m) {
+           return m.active.is_load() && m.growth.is_load();
+         });
 }
 
 particles::Particles<grid::Device> start_of(const base::Communicator& communicator,
@@ -102,7 +113,7 @@ void MovingBody::project() {
 }
 
 std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
-  if (!previous_) return std::nullopt;
+  if (!previous_ || !follows_the_load(problem_)) return std::nullopt;
   const double ratio = (load - load_) / (load_ - previous_load_);
   grid::Vector u(*displacement_, Teuchos::Copy);
   u.update(-ratio, *previous_, 1.0 + ratio);

@@ -45,7 +45,7 @@ class MovingBody {
   /// Displacement since the base configuration [um], of the last accepted step.
   const grid::Vector& displacement() const { return *displacement_; }
   /// Displacement at a load factor if the body goes on as in the last accepted step; nothing if
-  /// there is none to go by. Its prescribed components are not set.
+  /// there is none to go by, or if load curves may turn it elsewhere. Its prescribed components are not set.
   std::optional<grid::Vector> extrapolated(double load) const;
 
   /// Takes a converged displacement since the base.

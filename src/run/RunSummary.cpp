@@ -50,24 +50,27 @@ void print_bounds(base::Log& log, const Deck& deck, const Specimen& specimen,
   for (const std::string& line : lines) log.line(line);
 }
 
+/// \param has_time  whether time is something else than the load
 void print_steps(base::Log& log, const std::vector<output::HistoryRow>& rows,
                  const std::vector<output::MovingSupport>& moving,
-                 const std::vector<std::string>& materials) {
+                 const std::vector<std::string>& materials, bool has_time) {
   const auto largest_component = [](const std::array<double, 3>& v) {
     std::size_t largest = 0;
     for (std::size_t c = 1; c < 3; ++c)
       if (std::abs(v[c]) > std::abs(v[largest])) largest = c;
     return largest;
   };
-  std::string head = "\n step    load  Newton  linear";
+  std::string head =
+      has_time ? "\n step    time (s)  Newton  linear" : "\n step    load  Newton  linear";
   for (const auto& support : moving)
     head += base::format("  %16s", (support.name + " force").c_str());
   for (const auto& name : materials) head += base::format("  %28s", (name + " von Mises").c_str());
   log.line(head);
   for (const output::HistoryRow& row : rows) {
-    std::string line = base::format("%5d  %6.4f  %6d  %6d", static_cast<int>(row.step), row.load,
-                                    static_cast<int>(row.newton_iterations),
-                                    static_cast<int>(row.linear_iterations));
+    std::string line = base::format("%5d", static_cast<int>(row.step));
+    line += has_time ? base::format("  %10.5g", row.time) : base::format("  %6.4f", row.load);
+    line += base::format("  %6d  %6d", static_cast<int>(row.newton_iterations),
+                         static_cast<int>(row.linear_iterations));
     for (const auto& support : moving) {
       const double force = row.reactions[support.index][largest_component(support.displacement)];
       line += base::format("  %16s", readable_force(force).c_str());
@@ -100,7 +103,8 @@ void print_summary(base::Log& log, const base::Communicator& communicator, const
                    const std::vector<output::MovingSupport>& moving,
                    const mechanics::MomentumBalance& balance, const grid::Vector& u) {
   print_give(log, rows.back().strain_energy, balance, u);
-  print_steps(log, rows, moving, names(deck.parameters.materials.materials));
+  print_steps(log, rows, moving, names(deck.parameters.materials.materials),
+              deck.parameters.loading.has_time());
   print_bounds(log, deck, specimen, rows.front());
   print_costs(log, communicator, deck, balance.halo().partition());
 }

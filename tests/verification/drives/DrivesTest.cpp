@@ -18,12 +18,12 @@ constexpr double edge = 8.0;  // of the block [um]
 const material::NeoHookean gel{520.8, 2430.4};
 
 const std::string rollers =
-    "    left: {Face: x-, Components: x}\n"
-    "    bottom: {Face: y-, Components: y}\n"
-    "    back: {Face: z-, Components: z}\n";
+    "    left: {Face: x-, Components: x, Imposed By: Nodes}\n"
+    "    bottom: {Face: y-, Components: y, Imposed By: Nodes}\n"
+    "    back: {Face: z-, Components: z, Imposed By: Nodes}\n";
 const std::string held =
-    "    bottom: {Face: y-, Components: xyz}\n"
-    "    top: {Face: y+, Components: xyz}\n"
+    "    bottom: {Face: y-, Components: y}\n"
+    "    top: {Face: y+, Components: y}\n"
     "    left: {Face: x-, Components: x}\n"
     "    right: {Face: x+, Components: x}\n"
     "    back: {Face: z-, Components: z}\n"
