@@ -111,6 +111,8 @@ class AnyLaw {
   double active_factor_ = 0.0, ratio_ = 1.0;
 };
 
+static_assert(std::is_trivially_copyable_v<AnyLaw>, "views of laws are copied as bytes");
+
 /// Its kernels ask each particle for what it has of its own.
 template <>
 inline constexpr bool is_asked_by_particle<AnyLaw> = true;

@@ -6,12 +6,41 @@
 /// A value that is one of several kinds of struct.
 
 #include <Kokkos_Core.hpp>
-#include <algorithm>
-#include <new>
 #include <type_traits>
 #include <utility>
 
 namespace stroma::material {
+
+namespace detail {
+
+/// Room for one of several plain structs; the first, of zeros, unless it is made from another.
+template <class First, class... Rest>
+union OneOfKinds {
+  First first;
+  OneOfKinds<Rest...> rest;
+
+  KOKKOS_INLINE_FUNCTION OneOfKinds() : first() {}
+  KOKKOS_INLINE_FUNCTION explicit OneOfKinds(const First& value) : first(value) {}
+  template <class Kind>
+  KOKKOS_INLINE_FUNCTION explicit OneOfKinds(const Kind& value) : rest(value) {}
+};
+template <class Last>
+union OneOfKinds<Last> {
+  Last first;
+
+  KOKKOS_INLINE_FUNCTION OneOfKinds() : first() {}
+  KOKKOS_INLINE_FUNCTION explicit OneOfKinds(const Last& value) : first(value) {}
+};
+
+template <class Kind, class Kinds>
+KOKKOS_INLINE_FUNCTION auto& kind_in(Kinds& kinds) {
+  if constexpr (std::is_same_v<std::decay_t<decltype(kinds.first)>, Kind>)
+    return kinds.first;
+  else
+    return kind_in<Kind>(kinds.rest);
+}
+
+}  // namespace detail
 
 /// One of several plain structs: trivially copyable, without virtual calls, for views of any memory
 /// space. By default it is the first kind, of zeros.
@@ -20,9 +49,7 @@ class TaggedUnion {
  public:
   TaggedUnion() = default;
   template <class Kind, class = std::enable_if_t<(std::is_same_v<Kind, Kinds> || ...)>>
-  TaggedUnion(const Kind& value) : which_(index_of<Kind>()) {
-    new (storage_) Kind(value);
-  }
+  TaggedUnion(const Kind& value) : value_(value), which_(index_of<Kind>()) {}
 
   /// f(value) of the kind that it is; f answers alike for all.
   template <class F>
@@ -35,18 +62,16 @@ class TaggedUnion {
   bool is() const {
     return which_ == index_of<Kind>();
   }
+  /// \pre it is of that kind
   template <class Kind>
   KOKKOS_INLINE_FUNCTION const Kind& as() const {
-    return *reinterpret_cast<const Kind*>(storage_);
-  }
-  template <class Kind>
-  KOKKOS_INLINE_FUNCTION Kind& as() {
-    return *reinterpret_cast<Kind*>(storage_);
+    return detail::kind_in<Kind>(value_);
   }
   /// f(value), which may change it.
   template <class F>
   KOKKOS_INLINE_FUNCTION void change(const F& f) {
-    (void)((which_ == index_of<Kinds>() ? (f(as<Kinds>()), true) : false) || ...);
+    (void)((which_ == index_of<Kinds>() ? (f(detail::kind_in<Kinds>(value_)), true) : false) ||
+           ...);
   }
 
  private:
@@ -58,7 +83,7 @@ class TaggedUnion {
     return index;
   }
 
-  alignas(std::max({alignof(Kinds)...})) unsigned char storage_[std::max({sizeof(Kinds)...})] = {};
+  detail::OneOfKinds<Kinds...> value_;
   int which_ = 0;
 };
 
