@@ -26,14 +26,16 @@ def history(folder):
 
 
 def difference(old, new):
-    """The largest difference of a value and its column; None where every bit is the same."""
-    if old[0] != new[0] or len(old) != len(new):
-        return f"other columns or rows: {len(old)} and {len(new)} rows"
+    """The largest difference of a value and its column; None where every bit is the same. Columns that only one build
+    writes are left out."""
+    if len(old) != len(new):
+        return f"other rows: {len(old)} and {len(new)}"
     worst, where = 0.0, None
     for column, name in enumerate(old[0]):
-        if name == "wall_seconds":
+        if name == "wall_seconds" or name not in new[0]:
             continue
-        pairs = [(row[column], other[column]) for row, other in zip(old[1:], new[1:])]
+        other_column = new[0].index(name)
+        pairs = [(row[column], other[other_column]) for row, other in zip(old[1:], new[1:])]
         if all(a == b for a, b in pairs):
             continue
         scale = max(max(abs(float(a)), abs(float(b))) for a, b in pairs) or 1.0
