@@ -56,7 +56,10 @@ struct LoadCurvesParameters {
   std::vector<std::pair<std::string, LoadCurveParameters>> curves;
 };
 
-/// \param duration  of the run [s]
+/// The curve of the deck over load factors.
+///
+/// \param parameters  the deck's
+/// \param duration    of the run [s]
 LoadCurve load_curve(const LoadCurveParameters& parameters, double duration);
 
 }  // namespace stroma::mechanics
