@@ -47,8 +47,7 @@ struct Ogden : Uncoupled {
     const Stretches at(H, log1p(tensor::det_minus_one(H)));
     double sum = 0.0;
     for (int i = 0; i < terms; ++i)
-      for (int a = 0; a < 3; ++a)
-        sum += c[i] / (m[i] * m[i]) * tensor::expm1_minus_x(m[i] * at.x[a]);
+      for (const double x : at.x) sum += c[i] / (m[i] * m[i]) * tensor::expm1_minus_x(m[i] * x);
     return sum + of_volume;
   }
 
