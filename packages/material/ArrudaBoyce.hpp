@@ -16,7 +16,7 @@ namespace stroma::material {
 /// the first five terms of the inverse Langevin function. Its shear modulus of small strain is
 /// larger than mu: 2 mu sum_i i c_i (3/N)^(i-1).
 /// Source: Arruda & Boyce (1993), J Mech Phys Solids 41:389; "Arruda-Boyce" of FEBio.
-struct ArrudaBoyce : Uncoupled {
+struct ArrudaBoyce : OfInvariants<ArrudaBoyce> {
   double shear_modulus;  ///< mu [Pa], > 0
   double links;          ///< N [-], of a chain, > 0
 
@@ -32,8 +32,6 @@ struct ArrudaBoyce : Uncoupled {
                       "Links N of a chain; sqrt(N) is the stretch at which chains lock.");
     declare_volume(parameters);
   }
-
-  using Tangent = FullTangent;
 
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {2.0 * slope_at(3.0).first, bulk_modulus};
@@ -52,14 +50,6 @@ struct ArrudaBoyce : Uncoupled {
   }
   KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3& H) const {
     return slope_at(3.0 + isochoric_first_invariant_minus_3(H));
-  }
-  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
-                                                  const VolumetricStress& volume) const {
-    return kirchhoff_stress_of_invariants(slopes(H), H, log_j, volume);
-  }
-  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
-                                             const VolumetricStress& volume) const {
-    return tangent_of_invariants(slopes(H), H, log_j, volume);
   }
 
  private:

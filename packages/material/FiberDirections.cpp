@@ -7,6 +7,12 @@
 #include <cstddef>
 
 namespace stroma::material {
+
+std::array<double, 3> normalised(const std::array<double, 3>& a) {
+  const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -14,11 +20,6 @@ using Vector = std::array<double, 3>;
 constexpr double pi = 3.14159265358979323846, golden_section = 0.61803398874989485;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector normalised(const Vector& a) {
-  const double length = std::sqrt(dot(a, a));
-  return {a[0] / length, a[1] / length, a[2] / length};
-}
 
 Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

@@ -30,6 +30,9 @@ struct DistributionParameters {
 /// Directions in the memory of kernels.
 using FiberDirections = Kokkos::View<FiberDirection*>;
 
+/// The vector's direction; it must have a length.
+std::array<double, 3> normalised(const std::array<double, 3>& vector);
+
 /// The family's directions: one, or a quadrature of the mean over the sphere
 ///
 ///     <f> = integral rho(N) f(N) dA / integral rho(N) dA,

@@ -29,6 +29,20 @@ struct FiberResponse {
   double energy, slope, curvature;
 };
 
+/// A fibre of direction N, carried along by F = I + H: m = F N, and x = I - 1 = 2 N.H.N + |H N|^2.
+struct StretchedFiber {
+  double m[3], x = 0.0;
+
+  KOKKOS_INLINE_FUNCTION StretchedFiber(const Tensor3& H, const double n[3]) {
+    for (int i = 0; i < 3; ++i) {
+      double change = 0.0;
+      for (int j = 0; j < 3; ++j) change += H(i, j) * n[j];
+      m[i] = n[i] + change;
+      x += change * (2.0 * n[i] + change);
+    }
+  }
+};
+
 /// lambda - 1 of x = lambda^2 - 1, to all digits.
 KOKKOS_INLINE_FUNCTION double stretch_minus_one(double x) { return x / (1.0 + sqrt(1.0 + x)); }
 

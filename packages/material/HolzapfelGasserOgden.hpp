@@ -5,6 +5,7 @@
 /// \file
 /// The solid of Gasser, Holzapfel and Ogden: dispersed fibres in a neo-Hookean matrix.
 
+#include "stroma/material/FiberLaw.hpp"
 #include "stroma/material/OfInvariants.hpp"
 
 namespace stroma::material {
@@ -71,8 +72,9 @@ struct HolzapfelGasserOgden : Uncoupled {
   /// is E + 1, m = J^(-1/3) F N, psi' = K1 E exp(K2 E^2), of each family that pulls.
   KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
                                                   const VolumetricStress& volume) const {
-    Tensor3 tau = kirchhoff_stress_of_invariants({0.5 * c, 0.0, 0.0}, H, log_j, volume);
-    const Tensor3 dev_b = deviator_of_b(H, log_j);
+    const IsochoricLeftCauchyGreen bbar(H, log_j);
+    Tensor3 tau = kirchhoff_stress_of_invariants({0.5 * c, 0.0, 0.0}, bbar, volume);
+    const Tensor3 dev_b = bbar.deviator();
     const double x = isochoric_first_invariant_minus_3(H);
     for (int f = 0; f < families; ++f) {
       const Family family(*this, f, H, log_j, x);
@@ -85,8 +87,9 @@ struct HolzapfelGasserOgden : Uncoupled {
   ///     - 2/3 (s_f x I + I x s_f)),   s_f = 2 psi' dev h,   P = I4 - 1/3 I x I.
   KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
                                              const VolumetricStress& volume) const {
-    FullTangent result = tangent_of_invariants({0.5 * c, 0.0, 0.0}, H, log_j, volume);
-    const Tensor3 dev_b = deviator_of_b(H, log_j);
+    const IsochoricLeftCauchyGreen bbar(H, log_j);
+    FullTangent result = tangent_of_invariants({0.5 * c, 0.0, 0.0}, bbar, volume);
+    const Tensor3 dev_b = bbar.deviator();
     const double x = isochoric_first_invariant_minus_3(H);
     for (int f = 0; f < families; ++f) {
       const Family family(*this, f, H, log_j, x);
@@ -115,15 +118,9 @@ struct HolzapfelGasserOgden : Uncoupled {
 
     KOKKOS_INLINE_FUNCTION Family(const HolzapfelGasserOgden& law, int f, const Tensor3& H,
                                   double log_j, double first_minus_3) {
-      const double* n = law.direction[f];
-      const double shrink = exp(-log_j / 3.0);
-      double x = 0.0;  // N.C.N - 1
-      for (int i = 0; i < 3; ++i) {
-        double change = 0.0;
-        for (int j = 0; j < 3; ++j) change += H(i, j) * n[j];
-        m[i] = shrink * (n[i] + change);
-        x += change * (2.0 * n[i] + change);
-      }
+      const StretchedFiber fiber(H, law.direction[f]);
+      const double shrink = exp(-log_j / 3.0), x = fiber.x;
+      for (int i = 0; i < 3; ++i) m[i] = shrink * fiber.m[i];
       const double fourth_minus_1 = expm1(-2.0 / 3.0 * log_j) * (1.0 + x) + x;
       e = law.kappa * first_minus_3 + (1.0 - 3.0 * law.kappa) * fourth_minus_1;
       const double growth = law.k1 * exp(law.k2 * e * e);
@@ -132,9 +129,6 @@ struct HolzapfelGasserOgden : Uncoupled {
     }
   };
 
-  KOKKOS_INLINE_FUNCTION static Tensor3 deviator_of_b(const Tensor3& H, double log_j) {
-    return exp(-2.0 / 3.0 * log_j) * tensor::deviator(tensor::left_cauchy_green_minus_identity(H));
-  }
   /// dev h.
   KOKKOS_INLINE_FUNCTION Tensor3 structure(const Family& family, const Tensor3& dev_b) const {
     Tensor3 h;

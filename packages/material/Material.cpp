@@ -3,25 +3,13 @@
 #include "stroma/material/Material.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "stroma/material/Models.hpp"
 
 namespace stroma::material {
-Compressibility compressibility(const NamedMaterials& materials) {
-  Compressibility all{-1.0};
-  for (const auto& [name, m] : materials) {
-    const AnyMatrix law = model_of(m).law(m);
-    const auto given = m.numbers.find(poisson_ratio_name);
-    all.largest_poisson_ratio =
-        std::max(all.largest_poisson_ratio,
-                 given != m.numbers.end() ? given->second : law.small_strain().poisson_ratio());
-    const bool volume_relaxes = m.viscosity && !m.viscosity->is_deviatoric;
-    all.may_be_averaged = all.may_be_averaged && may_be_averaged(law) && !volume_relaxes;
-  }
-  return all;
-}
+
+namespace {
 
 DistributionParameters distribution_of(const FiberParameters& fibers) {
   DistributionParameters where;
@@ -31,19 +19,6 @@ DistributionParameters distribution_of(const FiberParameters& fibers) {
   where.concentration = fibers.concentration.value_or(where.concentration);
   where.quadrature = fibers.quadrature.value_or(where.quadrature);
   return where;
-}
-
-namespace {
-
-FiberFamily family_of(const FiberParameters& fibers, std::vector<FiberDirections>& kept) {
-  const std::vector<FiberDirection> all = directions(distribution_of(fibers));
-  const FiberDirections on_device("fiber directions", all.size());
-  const auto on_host = Kokkos::create_mirror_view(on_device);
-  std::copy(all.begin(), all.end(), on_host.data());
-  Kokkos::deep_copy(on_device, on_host);
-  kept.push_back(on_device);
-  return {fiber_models()[static_cast<std::size_t>(*fibers.law)].law(fibers), on_device.data(),
-          static_cast<int>(all.size())};
 }
 
 Viscosity viscosity_of(const ViscosityParameters& given) {
@@ -60,9 +35,8 @@ Viscosity viscosity_of(const ViscosityParameters& given) {
 template <class Drive>
 void point(Drive& drive, const std::optional<std::array<double, 3>>& direction) {
   if (!direction) return;
-  const auto& d = *direction;
-  const double length = std::hypot(d[0], d[1], d[2]);
-  for (std::size_t i = 0; i < 3; ++i) drive.direction[i] = d[i] / length;
+  const auto n = normalised(*direction);
+  std::copy(n.begin(), n.end(), drive.direction);
 }
 
 ActiveStress active_stress_of(const MaterialParameters& material) {
@@ -81,7 +55,41 @@ Growth growth_of(const MaterialParameters& material) {
   return growth;
 }
 
+/// \param directions_of  where the directions of a family are kept
+template <class DirectionsOf>
+AnyLaw law_of(const MaterialParameters& material, const DirectionsOf& directions_of) {
+  AnyLaw law = model_of(material).law(material);
+  if (material.fibers && !model_of(material).takes_directions)
+    for (const auto& [name, family] : material.fibers->families) {
+      const FiberDirections directions = directions_of(family);
+      law.add({fiber_models()[static_cast<std::size_t>(*family.law)].law(family), directions.data(),
+               static_cast<int>(directions.extent(0))});
+    }
+  if (material.viscosity) law.set_viscosity(viscosity_of(*material.viscosity));
+  if (material.active_stress) law.set_active_stress(active_stress_of(material));
+  if (material.growth) law.set_growth(growth_of(material));
+  return law;
+}
+
+/// Without directions of fibres: enough for all but stress.
+AnyLaw law_at_rest(const MaterialParameters& material) {
+  return law_of(material, [](const FiberParameters&) { return FiberDirections(); });
+}
+
 }  // namespace
+
+Compressibility compressibility(const NamedMaterials& materials) {
+  Compressibility all{-1.0};
+  for (const auto& [name, m] : materials) {
+    const AnyLaw law = law_at_rest(m);
+    const auto given = m.numbers.find(poisson_ratio_name);
+    all.largest_poisson_ratio = std::max(
+        all.largest_poisson_ratio,
+        given != m.numbers.end() ? given->second : law.matrix().small_strain().poisson_ratio());
+    all.may_be_averaged = all.may_be_averaged && law.may_be_averaged();
+  }
+  return all;
+}
 
 std::optional<std::array<double, 3>> direction_of(const MaterialParameters& material,
                                                   const std::optional<std::array<double, 3>>& own) {
@@ -93,22 +101,28 @@ std::optional<std::array<double, 3>> direction_of(const MaterialParameters& mate
 
 MaterialLaws laws_of(const NamedMaterials& materials) {
   MaterialLaws all;
-  for (const auto& [name, material] : materials) {
-    AnyLaw law = model_of(material).law(material);
-    if (material.fibers && !model_of(material).takes_directions)
-      for (const auto& family : material.fibers->families)
-        law.add(family_of(family.second, all.directions));
-    if (material.viscosity) law.set_viscosity(viscosity_of(*material.viscosity));
-    if (material.active_stress) law.set_active_stress(active_stress_of(material));
-    if (material.growth) law.set_growth(growth_of(material));
-    all.laws.push_back(law);
-  }
+  for (const auto& named : materials)
+    all.laws.push_back(law_of(named.second, [&](const FiberParameters& family) {
+      const std::vector<FiberDirection> list = directions(distribution_of(family));
+      const FiberDirections on_device("fiber directions", list.size());
+      const auto on_host = Kokkos::create_mirror_view(on_device);
+      std::copy(list.begin(), list.end(), on_host.data());
+      Kokkos::deep_copy(on_device, on_host);
+      return all.directions.emplace_back(on_device);
+    }));
   return all;
+}
+
+std::vector<SmallStrainModuli> moduli_of(const NamedMaterials& materials) {
+  std::vector<SmallStrainModuli> moduli;
+  for (const auto& named : materials) moduli.push_back(law_at_rest(named.second).small_strain());
+  return moduli;
 }
 
 int states_of_materials(const NamedMaterials& materials) {
   int states = 0;
-  for (const AnyLaw& law : laws_of(materials).laws) states = std::max(states, law.states_used());
+  for (const auto& named : materials)
+    states = std::max(states, law_at_rest(named.second).states_used());
   return states;
 }
 
@@ -121,7 +135,7 @@ bool vary_in_stiffness(const NamedMaterials& materials) {
 std::function<double(int, double)> shear_modulus_of(const NamedMaterials& materials) {
   std::vector<double> own;
   for (const auto& named : materials)
-    own.push_back(model_of(named.second).law(named.second).small_strain().shear);
+    own.push_back(law_at_rest(named.second).matrix().small_strain().shear);
   return [materials, own](int material, double intensity) {
     const auto m = static_cast<std::size_t>(material);
     const auto& fields = materials[m].second.fields;

@@ -90,15 +90,15 @@ struct Compressibility {
 /// Of at least one material.
 Compressibility compressibility(const NamedMaterials& materials);
 
-/// The family's distribution, with the defaults of what the deck does not give.
-DistributionParameters distribution_of(const FiberParameters& fibers);
-
 /// The law of each material, by index, and the directions of fibres that they point to.
 struct MaterialLaws {
   std::vector<AnyLaw> laws;
   std::vector<FiberDirections> directions;
 };
 MaterialLaws laws_of(const NamedMaterials& materials);
+
+/// Of small strain, of each material, fibres included.
+std::vector<SmallStrainModuli> moduli_of(const NamedMaterials& materials);
 
 /// The direction of a drive: its own, or that of the material's first family with a single one.
 std::optional<std::array<double, 3>> direction_of(const MaterialParameters& material,

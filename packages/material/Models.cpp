@@ -75,8 +75,9 @@ class Filling {
     static_assert(n == AnyLaw::most_families, "as many as a deck may have");
     law_.*count = 0;
     for (const auto& family : given_.fibers->families) {
-      const FiberDirection only = material::directions(distribution_of(family.second)).front();
-      std::copy_n(only.n, 3, (law_.*member)[(law_.*count)++]);
+      if (!family.second.direction) continue;  // refused elsewhere
+      const auto direction = normalised(*family.second.direction);
+      std::copy(direction.begin(), direction.end(), (law_.*member)[(law_.*count)++]);
     }
   }
   void volumetric_energy(VolumetricEnergy Law::*member) { law_.*member = given_.volumetric_energy; }

@@ -14,7 +14,7 @@ namespace stroma::material {
 ///     W = C1 (Ibar1 - 3) + C2 (Ibar2 - 3) + U(J).
 ///
 /// With C2 = 0 it is NeoHookean, mu = 2 C1. Source: Holzapfel (2000), section 6.5.
-struct MooneyRivlin : Uncoupled {
+struct MooneyRivlin : OfInvariants<MooneyRivlin> {
   double c1, c2;  ///< [Pa], C1 + C2 > 0
 
   static const char* name() { return "Mooney-Rivlin"; }
@@ -28,8 +28,6 @@ struct MooneyRivlin : Uncoupled {
     declare_volume(parameters);
   }
 
-  using Tangent = FullTangent;
-
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {2.0 * (c1 + c2), bulk_modulus};
   }
@@ -38,14 +36,6 @@ struct MooneyRivlin : Uncoupled {
            of_volume;
   }
   KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3&) const { return {c1, 0.0, c2}; }
-  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
-                                                  const VolumetricStress& volume) const {
-    return kirchhoff_stress_of_invariants(slopes(H), H, log_j, volume);
-  }
-  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
-                                             const VolumetricStress& volume) const {
-    return tangent_of_invariants(slopes(H), H, log_j, volume);
-  }
 };
 
 }  // namespace stroma::material

@@ -35,16 +35,26 @@ struct InvariantSlopes {
   double second;       ///< c
 };
 
-/// tau = 2 f' dev(bbar) + 2 c dev(Ibar1 bbar - bbar^2) + p I [Pa]. With b = I + e, e small where the
-/// strain is, dev(I1 b - b^2) = dev((1 + tr e) e - e^2).
+/// bbar by e = b - I, which is small where the strain is.
+struct IsochoricLeftCauchyGreen {
+  double factor;  ///< J^(-2/3)
+  Tensor3 e;
+
+  KOKKOS_INLINE_FUNCTION IsochoricLeftCauchyGreen(const Tensor3& H, double log_j)
+      : factor(exp(-2.0 / 3.0 * log_j)), e(tensor::left_cauchy_green_minus_identity(H)) {}
+  KOKKOS_INLINE_FUNCTION Tensor3 value() const { return factor * (tensor::identity() + e); }
+  KOKKOS_INLINE_FUNCTION Tensor3 deviator() const { return factor * tensor::deviator(e); }
+};
+
+/// tau = 2 f' dev(bbar) + 2 c dev(Ibar1 bbar - bbar^2) + p I [Pa]; with b = I + e,
+/// dev(I1 b - b^2) = dev((1 + tr e) e - e^2).
 KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress_of_invariants(const InvariantSlopes& slope,
-                                                              const Tensor3& H, double log_j,
+                                                              const IsochoricLeftCauchyGreen& bbar,
                                                               const VolumetricStress& volume) {
-  const double factor = exp(-2.0 / 3.0 * log_j);
-  const Tensor3 e = tensor::left_cauchy_green_minus_identity(H);
-  Tensor3 tau = (2.0 * factor) *
-                tensor::deviator(slope.first * e +
-                                 (slope.second * factor) * ((1.0 + tensor::trace(e)) * e - e * e));
+  const Tensor3& e = bbar.e;
+  Tensor3 tau = (2.0 * bbar.factor) *
+                tensor::deviator(slope.first * e + (slope.second * bbar.factor) *
+                                                       ((1.0 + tensor::trace(e)) * e - e * e));
   for (int i = 0; i < 3; ++i) tau(i, i) += volume.pressure;
   return tau;
 }
@@ -60,15 +70,14 @@ KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress_of_invariants(const InvariantSlo
 ///
 /// Source: Holzapfel (2000), section 6.6.
 KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& slope,
-                                                         const Tensor3& H, double log_j,
+                                                         const IsochoricLeftCauchyGreen& bbar,
                                                          const VolumetricStress& volume) {
-  const double factor = exp(-2.0 / 3.0 * log_j);
-  const Tensor3 b = factor * (tensor::identity() + tensor::left_cauchy_green_minus_identity(H));
+  const Tensor3 b = bbar.value();
   const Tensor3 b2 = b * b, dev_b = tensor::deviator(b);
   const double i1 = tensor::trace(b), tr_b2 = tensor::trace(b2);
   const double traces = 2.0 * slope.first * i1 + 2.0 * slope.second * (i1 * i1 - tr_b2);
   IsotropicTangent simple;
-  simple.tau = kirchhoff_stress_of_invariants(slope, H, log_j, volume);
+  simple.tau = kirchhoff_stress_of_invariants(slope, bbar, volume);
   simple.s = tensor::deviator(simple.tau);
   simple.volumetric = volume.modulus - 2.0 / 9.0 * traces;
   simple.symmetric = traces / 3.0 - volume.pressure;
@@ -86,5 +95,26 @@ KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& 
         }
   return result;
 }
+
+/// Stress and tangent of a law `Law` with such an energy, which gives energy(), small_strain() and
+/// its slopes(H).
+template <class Law>
+struct OfInvariants : Uncoupled {
+  using Tangent = FullTangent;
+
+  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
+                                                  const VolumetricStress& volume) const {
+    return kirchhoff_stress_of_invariants(slopes_at(H), {H, log_j}, volume);
+  }
+  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
+                                             const VolumetricStress& volume) const {
+    return tangent_of_invariants(slopes_at(H), {H, log_j}, volume);
+  }
+
+ private:
+  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes_at(const Tensor3& H) const {
+    return static_cast<const Law&>(*this).slopes(H);
+  }
+};
 
 }  // namespace stroma::material

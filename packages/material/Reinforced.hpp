@@ -116,22 +116,16 @@ class Reinforced {
   }
 
  private:
-  /// f(m, weight, psi) for each direction of each family, m = F N, psi at x = I - 1 =
-  /// 2 N.H.N + |H N|^2.
+  /// f(m, weight, psi) for each direction of each family, m = F N.
   template <class F>
   KOKKOS_INLINE_FUNCTION void for_each_fiber(const Tensor3& H, const F& f) const {
     for (int family = 0; family < families_; ++family) {
       const FiberFamily& fibers = family_[family];
       for (int d = 0; d < fibers.count; ++d) {
         const FiberDirection& direction = fibers.directions[d];
-        double m[3], x = 0.0;
-        for (int i = 0; i < 3; ++i) {
-          double change = 0.0;
-          for (int j = 0; j < 3; ++j) change += H(i, j) * direction.n[j];
-          m[i] = direction.n[i] + change;
-          x += change * (2.0 * direction.n[i] + change);
-        }
-        f(m, direction.weight, fibers.law.visit([=](const auto& law) { return law.at(x); }));
+        const StretchedFiber fiber(H, direction.n);
+        f(fiber.m, direction.weight,
+          fibers.law.visit([&](const auto& law) { return law.at(fiber.x); }));
       }
     }
   }

@@ -67,7 +67,7 @@ class Relaxing {
   KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
                                                   const VolumetricStress& volume) const {
     const Tensor3 tau = law_.kirchhoff_stress(H, log_j, volume);
-    return relaxes() ? relaxed(tau, H, log_j) : tau;
+    return relaxes() ? relaxed(tau, viscosity_.factor(time_step_), memory(H, log_j)) : tau;
   }
 
   /// With viscosity c = k c_e; or, of the deviatoric part alone of a law whose W1 is isochoric, with
@@ -81,10 +81,10 @@ class Relaxing {
     if (!relaxes()) return result;
     const Tensor3 elastic = result.tau;
     const double k = viscosity_.factor(time_step_);
-    result.tau = relaxed(elastic, H, log_j);
+    const Tensor3 q = memory(H, log_j);
+    result.tau = relaxed(elastic, k, q);
     IsotropicTangent added{{}, {}, 0.0, 0.0};
     if (viscosity_.is_deviatoric) {
-      const Tensor3 q = memory(H, log_j);
       added.s = tensor::deviator(q);
       added.symmetric = tensor::trace(q) / 3.0 + (k - 1.0) * volume.pressure;
       added.volumetric = -2.0 / 9.0 * tensor::trace(q) - (k - 1.0) * volume.modulus;
@@ -122,9 +122,7 @@ class Relaxing {
     const Tensor3 F = carrier(H, log_j);
     return F * viscosity_.memory(history_, time_step_) * tensor::transpose(F);
   }
-  KOKKOS_INLINE_FUNCTION Tensor3 relaxed(const Tensor3& tau, const Tensor3& H, double log_j) const {
-    const double k = viscosity_.factor(time_step_);
-    const Tensor3 q = memory(H, log_j);
+  KOKKOS_INLINE_FUNCTION Tensor3 relaxed(const Tensor3& tau, double k, const Tensor3& q) const {
     return viscosity_.is_deviatoric ? tau + (k - 1.0) * tensor::deviator(tau) + tensor::deviator(q)
                                     : k * tau + q;
   }

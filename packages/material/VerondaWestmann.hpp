@@ -14,7 +14,7 @@ namespace stroma::material {
 ///     W = C1 (exp(C2 (Ibar1 - 3)) - 1) - C1 C2/2 (Ibar2 - 3) + U(J).
 ///
 /// Source: Veronda & Westmann (1970), J Biomech 3:111; "Veronda-Westmann" of FEBio.
-struct VerondaWestmann : Uncoupled {
+struct VerondaWestmann : OfInvariants<VerondaWestmann> {
   double c1;  ///< C1 [Pa], > 0
   double c2;  ///< C2 [-], > 0
 
@@ -29,8 +29,6 @@ struct VerondaWestmann : Uncoupled {
     declare_volume(parameters);
   }
 
-  using Tangent = FullTangent;
-
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const { return {c1 * c2, bulk_modulus}; }
   KOKKOS_INLINE_FUNCTION double energy(const Tensor3& H, double of_volume) const {
     return c1 * expm1(c2 * isochoric_first_invariant_minus_3(H)) -
@@ -39,14 +37,6 @@ struct VerondaWestmann : Uncoupled {
   KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3& H) const {
     const double slope = c1 * c2 * exp(c2 * isochoric_first_invariant_minus_3(H));
     return {slope, c2 * slope, -0.5 * c1 * c2};
-  }
-  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
-                                                  const VolumetricStress& volume) const {
-    return kirchhoff_stress_of_invariants(slopes(H), H, log_j, volume);
-  }
-  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
-                                             const VolumetricStress& volume) const {
-    return tangent_of_invariants(slopes(H), H, log_j, volume);
   }
 };
 

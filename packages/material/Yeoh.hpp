@@ -14,7 +14,7 @@ namespace stroma::material {
 ///     W = sum_i C_i (Ibar1 - 3)^i + U(J),   i = 1 to n.
 ///
 /// Source: Yeoh (1993), Rubber Chem Technol 66:754; uncoupled "Yeoh" of FEBio.
-struct Yeoh : Uncoupled {
+struct Yeoh : OfInvariants<Yeoh> {
   int terms;    ///< n, 1 to 6
   double c[6];  ///< C_i [Pa], C_1 > 0
 
@@ -26,8 +26,6 @@ struct Yeoh : Uncoupled {
                        "Moduli C_1 to C_n of the powers of Ibar1 - 3.");
     declare_volume(parameters);
   }
-
-  using Tangent = FullTangent;
 
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {2.0 * c[0], bulk_modulus};
@@ -46,14 +44,6 @@ struct Yeoh : Uncoupled {
       slope.first = slope.first * x + i * c[i - 1];
     }
     return slope;
-  }
-  KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
-                                                  const VolumetricStress& volume) const {
-    return kirchhoff_stress_of_invariants(slopes(H), H, log_j, volume);
-  }
-  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
-                                             const VolumetricStress& volume) const {
-    return tangent_of_invariants(slopes(H), H, log_j, volume);
   }
 };
 

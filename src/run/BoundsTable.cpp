@@ -45,7 +45,7 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<double>& shares,
                                       const std::vector<material::SmallStrainModuli>& extremes,
                                       bool plane_strain, bool has_empty_space) {
-  const std::vector<material::AnyLaw> laws = material::laws_of(materials).laws;
+  const std::vector<material::SmallStrainModuli> moduli = material::moduli_of(materials);
   std::vector<material::Phase> soft, stiff;
   std::string mixture;
   double total = 0.0;
@@ -54,8 +54,8 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
   for (std::size_t m = 0; m < materials.size(); ++m) {
     if (!(shares[m] > 0.0)) continue;
     const bool varies = !extremes.empty();
-    soft.push_back({shares[m], varies ? extremes[2 * m] : laws[m].small_strain()});
-    stiff.push_back({shares[m], varies ? extremes[2 * m + 1] : laws[m].small_strain()});
+    soft.push_back({shares[m], varies ? extremes[2 * m] : moduli[m]});
+    stiff.push_back({shares[m], varies ? extremes[2 * m + 1] : moduli[m]});
     mixture += format("%s%.4f %s", mixture.empty() ? "" : " + ", shares[m] / total,
                       materials[m].first.c_str());
     if (one == materials.size() || materials[m].second.label == 0) one = m;
@@ -65,7 +65,7 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
   const auto bounds_of =
       plane_strain ? material::bounds_in_plane_strain : material::bounds_in_space;
   const material::MixtureBounds bounds = between(bounds_of(soft), bounds_of(stiff)),
-                                alone = bounds_of({{1.0, laws[one].small_strain()}});
+                                alone = bounds_of({{1.0, moduli[one]}});
   std::vector<std::string> lines{
       format("bounds      of small strain, %s, and gain over %s",
              plane_strain ? "in plane strain" : "in space", materials[one].first.c_str()),

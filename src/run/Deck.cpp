@@ -23,6 +23,12 @@
 
 namespace stroma {
 
+mechanics::LoadCurve curve_named(const DeckParameters& p, const std::optional<std::string>& name) {
+  for (const auto& curve : p.load_curves.curves)
+    if (name == curve.first) return mechanics::load_curve(curve.second, p.loading.seconds());
+  return {};
+}
+
 namespace {
 
 std::string absolute(const deck::Document& document, const std::string& file) {
@@ -80,10 +86,7 @@ void refuse_viscosity_without_time(const DeckParameters& p, deck::Findings& find
 /// Gives conditions and forces the curves that they name.
 void attach_load_curves(DeckParameters& p) {
   const auto attach = [&](auto& named) {
-    for (auto& [name, one] : named)
-      for (const auto& curve : p.load_curves.curves)
-        if (one.load_curve == curve.first)
-          one.curve = mechanics::load_curve(curve.second, p.loading.seconds());
+    for (auto& [name, one] : named) one.curve = curve_named(p, one.load_curve);
   };
   attach(p.boundary_conditions.conditions);
   attach(p.external_forces.forces);

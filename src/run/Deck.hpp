@@ -5,6 +5,7 @@
 /// \file
 /// The whole deck: one plain struct, filled once.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,10 @@ struct DeckParameters {
   solver::SolverParameters solver;
   output::OutputParameters output;
 };
+
+/// The load curve of a name; without a name the load itself.
+mechanics::LoadCurve curve_named(const DeckParameters& parameters,
+                                 const std::optional<std::string>& name);
 
 /// Everything a deck may say; the reader, the deck reference and deck.xml follow from it.
 deck::Section<DeckParameters> deck_section();

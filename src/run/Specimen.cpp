@@ -74,17 +74,17 @@ bool has_volume_forces(const mechanics::NamedForces& forces) {
 std::vector<material::SmallStrainModuli> extremes_of(
     const base::Communicator& communicator, const material::NamedMaterials& materials,
     const particles::Particles<grid::Device>& particles) {
-  const std::vector<material::AnyLaw> laws = material::laws_of(materials).laws;
+  const std::vector<material::SmallStrainModuli> moduli = material::moduli_of(materials);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> least(laws.size(), infinity), greatest(laws.size(), -infinity);
+  std::vector<double> least(moduli.size(), infinity), greatest(moduli.size(), -infinity);
   const particles::HostParticles host = particles::on_host(particles);
   for (int p = 0; p < particles.count(); ++p) {
     least[host.material(p)] = std::min(least[host.material(p)], host.shear_modulus(p));
     greatest[host.material(p)] = std::max(greatest[host.material(p)], host.shear_modulus(p));
   }
   std::vector<material::SmallStrainModuli> extremes;
-  for (std::size_t m = 0; m < laws.size(); ++m) {
-    const material::SmallStrainModuli own = laws[m].small_strain();
+  for (std::size_t m = 0; m < moduli.size(); ++m) {
+    const material::SmallStrainModuli& own = moduli[m];
     const double softest = communicator.min(least[m]), stiffest = communicator.max(greatest[m]);
     const bool has_particles = softest <= stiffest;
     extremes.push_back(has_particles ? own.with_shear_modulus(softest) : own);
@@ -177,11 +177,7 @@ namespace {
 /// The curves by which materials are driven; none if no material is.
 std::vector<mechanics::MaterialDrives> drives_of(const DeckParameters& p) {
   const auto curve_of = [&](const auto& drive) {
-    if (drive)
-      for (const auto& curve : p.load_curves.curves)
-        if (drive->load_curve == curve.first)
-          return mechanics::load_curve(curve.second, p.loading.seconds());
-    return mechanics::LoadCurve{};
+    return drive ? curve_named(p, drive->load_curve) : mechanics::LoadCurve{};
   };
   std::vector<mechanics::MaterialDrives> drives;
   bool are_any = false;
