@@ -69,8 +69,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   double seeded = bytes_of_particle({Presence::always});
   if (varies) seeded += bytes_of_particle({Presence::where_stiffness_varies});
   const double remembered =
-      static_cast<double>(material::states_of_materials(parameters.materials.materials) *
-                          static_cast<int>(sizeof(double)));
+      sizeof(double) * material::states_of_materials(parameters.materials.materials);
   const double moving = seeded + bytes_of_particle({Presence::where_particles_move}) + remembered;
   constexpr double order = 24.0;  // of a particle, while particles are sorted
   estimate.seeding = (8.0 + 2.0 * intensities) * counts.voxels +
