@@ -105,6 +105,20 @@ void NewtonSolver::choose_forcing(double now) {
 /// nearly all of it: the body's part must be solved as well.
 double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->stiffness_contrast(); }
 
+/// The forces to which a residual is compared: the largest of the accepted steps and of the iterates
+/// of this one. An iterate that overshoots by far, as exponential laws let it, says nothing of them:
+/// then those of the present iterate, unless it bears none to speak of.
+///
+/// \param now   of the iterate [pN]
+/// \param size  Euclidean norm of its displacement [um]
+/// \param seen  the largest so far, of iterates too [pN]
+double NewtonSolver::force_scale(double now, double size, double& seen) const {
+  if (std::isfinite(now)) seen = std::max(seen, now);
+  const double borne = std::isfinite(now) ? std::max(largest_force_, now) : largest_force_;
+  const bool bears_some = borne > 1e-6 * balance_->body().typical_diagonal() * size;
+  return bears_some && seen > 2.0 * borne ? borne : seen;
+}
+
 NewtonResult NewtonSolver::solve(grid::Vector& u) {
   if (!balance_->supports().are_imposed(balance_->load(), u, 1e-9))
     throw std::logic_error(
@@ -112,13 +126,14 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   balance_->supports().impose(balance_->load(), u);  // to the last bit
   residual_history_.clear();
   bool only_rounding_is_left = false;
-  double hold = 0.0;
+  double hold = 0.0, seen = largest_force_, scale = largest_force_;
   const auto is_good = [&](const NOX::Abstract::Group& group) {
-    const mechanics::ForceBalance& forces = balance_->forces(*displacement_of(group));
+    const auto at = displacement_of(group);
+    const mechanics::ForceBalance& forces = balance_->forces(*at);
     hold = forces.hold;
-    if (std::isfinite(forces.scale)) largest_force_ = std::max(largest_force_, forces.scale);
+    scale = force_scale(forces.scale, at->norm2(), seen);
     const double norm = group.getNormF();
-    const double relative = norm == 0.0 ? 0.0 : norm / largest_force_;
+    const double relative = norm == 0.0 ? 0.0 : norm / scale;
     const bool is_small = relative <= parameters_.newton_tolerance;
     only_rounding_is_left = !is_small && norm <= forces.rounding;
     residual_history_.push_back(relative);
@@ -154,6 +169,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
         base::format("Newton did not converge in %d iterations (residual %.2e)",
                      solver->getNumIterations(), residual_history_.back()));
   if (only_rounding_is_left) check_rounding(u);
+  largest_force_ = scale;
   NewtonResult result;
   result.is_limited_by_rounding = only_rounding_is_left;
   if (largest_force_ > 0.0) result.hold_share = hold / largest_force_;

@@ -66,6 +66,7 @@ class NewtonSolver {
   Teuchos::RCP<ThyraModel> model_;
   void choose_forcing(double now);
   double loosest_forcing() const;
+  double force_scale(double now, double size, double& seen) const;
   void check_rounding(const grid::Vector& u) const;
 
   long long reported_iterations_ = 0;
@@ -73,7 +74,7 @@ class NewtonSolver {
   double nonlinearity_ = 0.01;
   double last_relative_ = 0.0;  // residual of the iterate before
   double last_forcing_ = 0.0;
-  double largest_force_ = 0.0;
+  double largest_force_ = 0.0;  // of accepted steps [pN]
   std::vector<double> residual_history_;
 };
 
