@@ -20,6 +20,12 @@
 
 namespace stroma::deck {
 
+/// A member of a base of T as a member of T: what a Section<T> binds.
+template <class T, class Base, class V>
+constexpr V T::*inherited(V Base::*member) {
+  return member;
+}
+
 /// One section of the deck, bound to the members of a plain struct T. The default of an optional
 /// parameter is the value of that member in T{}; a std::optional member is absent by default.
 ///

@@ -5,6 +5,10 @@
 /// \file
 /// What a material of the deck is made of.
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "stroma/material/Drives.hpp"
 #include "stroma/material/Relaxing.hpp"
 
@@ -19,6 +23,7 @@ class AnyLaw {
  public:
   static constexpr int most_families = Reinforced::most_families;
   static constexpr int states = Relaxing::states;  ///< at most
+  static constexpr int most_own = 32;              ///< numbers that particles may give
   using Tangent = FullTangent;
 
   AnyLaw() = default;
@@ -39,11 +44,35 @@ class AnyLaw {
 
   /// Before it has grown, and without active stress.
   SmallStrainModuli small_strain() const { return law_.small_strain(); }
-  /// Of the matrix; all else stays as it is.
-  KOKKOS_INLINE_FUNCTION AnyLaw with_shear_modulus(double mu) const {
-    AnyLaw other = *this;
-    other.law_ = law_.with_shear_modulus(mu);
-    return other;
+  /// visit(NumberName, double&) for each of its numbers, in an order that depends on what it is made
+  /// of alone.
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    law_.for_each_number(visit);
+    visit(NumberName{"Active Stress T0 [Pa]"}, active_.t0);
+    for (int d = 0; d < 3; ++d)
+      visit(NumberName{"Active Direction", NumberName::none, d}, active_.direction[d]);
+    visit(NumberName{"Growth Ratio"}, growth_.ratio);
+    for (int d = 0; d < 3; ++d)
+      visit(NumberName{"Growth Direction", NumberName::none, d}, growth_.direction[d]);
+  }
+  /// From now on particles give these of its numbers (take()).
+  /// \param which  places in the order of for_each_number(), ascending
+  /// \pre no more than most_own
+  void let_vary(const std::vector<int>& which) {
+    own_numbers_ = 0;
+    int place = 0;
+    for_each_number([&](const NumberName&, double& number) {
+      if (std::binary_search(which.begin(), which.end(), place++))
+        own_[own_numbers_++] = static_cast<std::uint16_t>(reinterpret_cast<const char*>(&number) -
+                                                          reinterpret_cast<const char*>(this));
+    });
+  }
+  int own_numbers() const { return own_numbers_; }
+  /// \param own  the numbers of a particle, in the order of let_vary(); own_numbers() are read
+  KOKKOS_INLINE_FUNCTION void take(const double* own) {
+    for (int n = 0; n < own_numbers_; ++n)
+      *reinterpret_cast<double*>(reinterpret_cast<char*>(this) + own_[n]) = own[n];
   }
   bool may_be_averaged() const { return law_.may_be_averaged(); }
   KOKKOS_INLINE_FUNCTION void recall(const double* history, double time_step) {
@@ -109,6 +138,8 @@ class AnyLaw {
   ActiveStress active_;
   Growth growth_;
   double active_factor_ = 0.0, ratio_ = 1.0;
+  std::uint16_t own_[most_own] = {};  // where the numbers lie that particles give [bytes]
+  int own_numbers_ = 0;
 };
 
 static_assert(std::is_trivially_copyable_v<AnyLaw>, "views of laws are copied as bytes");
@@ -118,6 +149,7 @@ template <>
 inline constexpr bool is_asked_by_particle<AnyLaw> = true;
 inline bool may_be_averaged(const AnyLaw& law) { return law.may_be_averaged(); }
 inline int states_used(const AnyLaw& law) { return law.states_used(); }
+inline int numbers_taken(const AnyLaw& law) { return law.own_numbers(); }
 KOKKOS_INLINE_FUNCTION void recall(AnyLaw& law, const double* history, double time_step) {
   law.recall(history, time_step);
 }

@@ -37,9 +37,6 @@ struct CoupledNeoHookean {
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {shear_modulus, lame_modulus + 2.0 / 3.0 * shear_modulus};
   }
-  KOKKOS_INLINE_FUNCTION CoupledNeoHookean with_shear_modulus(double mu) const {
-    return {mu, lame_modulus * (mu / shear_modulus)};
-  }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
     return material::energy_of_volume(VolumetricEnergy::logarithmic, lame_modulus, log_j);
   }

@@ -43,9 +43,6 @@ struct HolmesMow {
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {shear_modulus, lame_modulus + 2.0 / 3.0 * shear_modulus};
   }
-  KOKKOS_INLINE_FUNCTION HolmesMow with_shear_modulus(double mu) const {
-    return {mu, lame_modulus * (mu / shear_modulus), exponent};
-  }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double) const { return 0.0; }
   KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(double) const { return {0.0, 0.0}; }
 

@@ -30,9 +30,9 @@
 ///     double energy(const Tensor3& H, double energy_of_volume) const;
 ///     Tensor3 kirchhoff_stress(const Tensor3& H, double log_j, const VolumetricStress&) const;
 ///     Tangent tangent(const Tensor3& H, double log_j, const VolumetricStress&) const;
-///     // only of a law whose stiffness may differ from particle to particle: the same material with
-///     // this mu of small strain [Pa]; all moduli in proportion, so that Poisson's ratio stays
-///     L with_shear_modulus(double mu) const;
+///     // only of a law whose numbers may differ from particle to particle: from now on those of a
+///     // particle, a row of Particles::own_numbers
+///     void take(const double* own);
 ///     // only of a law whose W1 changes with the volume
 ///     static constexpr bool is_isochoric = false;
 ///     // only of a law without an energy of volume, U = 0, which admits no mean dilatation
@@ -75,10 +75,6 @@ struct SmallStrainModuli {
   KOKKOS_INLINE_FUNCTION double poisson_ratio() const {
     return (3.0 * bulk - 2.0 * shear) / (2.0 * (3.0 * bulk + shear));
   }
-  /// With another mu and the same ratio K / mu.
-  KOKKOS_INLINE_FUNCTION SmallStrainModuli with_shear_modulus(double mu) const {
-    return {mu, bulk * (mu / shear)};
-  }
 };
 
 /// Numbers of history of a particle that obeys a law; 0 where the law does not say.
@@ -87,12 +83,18 @@ constexpr int states_of = 0;
 template <class Law>
 constexpr int states_of<Law, std::void_t<decltype(Law::states)>> = Law::states;
 
-/// Whether a law has with_shear_modulus().
+/// Whether a law has take().
 template <class Law, class = void>
-constexpr bool may_vary_in_stiffness = false;
+constexpr bool takes_numbers = false;
 template <class Law>
-constexpr bool may_vary_in_stiffness<
-    Law, std::void_t<decltype(std::declval<const Law&>().with_shear_modulus(1.0))>> = true;
+constexpr bool takes_numbers<
+    Law, std::void_t<decltype(std::declval<Law&>().take(std::declval<const double*>()))>> = true;
+
+/// Numbers that a law takes from a particle: as many as it says by own_numbers(), or one.
+template <class Law>
+int numbers_taken(const Law&) {
+  return takes_numbers<Law> ? 1 : 0;
+}
 
 /// Whether a law has an energy of volume U, which mean dilatation may average: it has, unless it
 /// says `static constexpr bool has_energy_of_volume = false`.

@@ -6,15 +6,19 @@
 #include <cstddef>
 
 #include "stroma/material/Models.hpp"
+#include "stroma/material/VaryingMaterial.hpp"
 
 namespace stroma::material {
 
 namespace {
 
+constexpr std::array<double, 3> along_z{0.0, 0.0, 1.0};
+
+/// One that particles turn is about z.
 DistributionParameters distribution_of(const FiberParameters& fibers) {
   DistributionParameters where;
   where.distribution = fibers.distribution;
-  where.direction = fibers.direction.value_or(where.direction);
+  where.direction = direction_in(fibers).value_or(where.direction);
   where.axes = fibers.axes.value_or(where.axes);
   where.concentration = fibers.concentration.value_or(where.concentration);
   where.quadrature = fibers.quadrature.value_or(where.quadrature);
@@ -55,15 +59,25 @@ Growth growth_of(const MaterialParameters& material) {
   return growth;
 }
 
-/// \param directions_of  where the directions of a family are kept
+/// \param directions_of  where the directions of a distribution are kept
 template <class DirectionsOf>
 AnyLaw law_of(const MaterialParameters& material, const DirectionsOf& directions_of) {
   AnyLaw law = model_of(material).law(material);
   if (material.fibers && !model_of(material).takes_directions)
-    for (const auto& [name, family] : material.fibers->families) {
-      const FiberDirections directions = directions_of(family);
-      law.add({fiber_models()[static_cast<std::size_t>(*family.law)].law(family), directions.data(),
-               static_cast<int>(directions.extent(0))});
+    for (const auto& named : material.fibers->families) {
+      const FiberParameters& given = named.second;
+      FiberFamily family;
+      family.law = fiber_models()[static_cast<std::size_t>(*given.law)].law(given);
+      const std::array<double, 3> n = normalised(direction_in(given).value_or(along_z));
+      std::copy(n.begin(), n.end(), family.own.n);
+      family.own.weight = given.share;
+      if (given.distribution != Distribution::single) {
+        const FiberDirections directions = directions_of(given);
+        family.directions = directions.data();
+        family.count = static_cast<int>(directions.extent(0));
+        family.are_turned = given.direction_from.has_value();
+      }
+      law.add(family);
     }
   if (material.viscosity) law.set_viscosity(viscosity_of(*material.viscosity));
   if (material.active_stress) law.set_active_stress(active_stress_of(material));
@@ -71,31 +85,50 @@ AnyLaw law_of(const MaterialParameters& material, const DirectionsOf& directions
   return law;
 }
 
-/// Without directions of fibres: enough for all but stress.
-AnyLaw law_at_rest(const MaterialParameters& material) {
-  return law_of(material, [](const FiberParameters&) { return FiberDirections(); });
+/// Of the matrix; to the deck's last digit where it says so.
+double poisson_ratio_of(const MaterialParameters& material) {
+  const auto given = material.numbers.find(poisson_ratio_name);
+  return given != material.numbers.end()
+             ? given->second
+             : law_at_rest(material).matrix().small_strain().poisson_ratio();
 }
 
 }  // namespace
 
+AnyLaw law_at_rest(const MaterialParameters& material) {
+  return law_of(material, [](const FiberParameters&) { return FiberDirections(); });
+}
+
 Compressibility compressibility(const NamedMaterials& materials) {
   Compressibility all{-1.0};
-  for (const auto& [name, m] : materials) {
-    const AnyLaw law = law_at_rest(m);
-    const auto given = m.numbers.find(poisson_ratio_name);
-    all.largest_poisson_ratio = std::max(
-        all.largest_poisson_ratio,
-        given != m.numbers.end() ? given->second : law.matrix().small_strain().poisson_ratio());
-    all.may_be_averaged = all.may_be_averaged && law.may_be_averaged();
+  for (const auto& named : materials) {
+    const MaterialParameters& material = named.second;
+    all.may_be_averaged = all.may_be_averaged && law_at_rest(material).may_be_averaged();
+    all.largest_poisson_ratio = std::max(all.largest_poisson_ratio, poisson_ratio_of(material));
+    if (!material.fields) continue;
+    for (const VaryingNumber& number : numbers_that_may_vary(material))
+      for (const auto& field : material.fields->fields)
+        if (field.second.parameter == number.name)
+          for (const double value : field.second.values) {
+            MaterialParameters other = material;
+            number.in(other) = value;
+            all.largest_poisson_ratio =
+                std::max(all.largest_poisson_ratio, poisson_ratio_of(other));
+          }
   }
   return all;
+}
+
+std::optional<std::array<double, 3>> direction_in(const FiberParameters& family) {
+  if (family.direction || !family.direction_from) return family.direction;
+  return along_z;
 }
 
 std::optional<std::array<double, 3>> direction_of(const MaterialParameters& material,
                                                   const std::optional<std::array<double, 3>>& own) {
   if (own || !material.fibers) return own;
   for (const auto& family : material.fibers->families)
-    if (family.second.distribution == Distribution::single) return family.second.direction;
+    if (family.second.distribution == Distribution::single) return direction_in(family.second);
   return std::nullopt;
 }
 
@@ -126,22 +159,32 @@ int states_of_materials(const NamedMaterials& materials) {
   return states;
 }
 
-bool vary_in_stiffness(const NamedMaterials& materials) {
-  return std::any_of(materials.begin(), materials.end(), [](const auto& named) {
-    return named.second.fields && named.second.fields->of(VaryingNumber::shear_modulus);
-  });
+int numbers_of_particles(const NamedMaterials& materials) {
+  int most = 0;
+  for (const auto& named : materials) {
+    const MaterialParameters& m = named.second;
+    int numbers = 0;
+    if (m.fields)  // each with the modulus that follows by Poisson's ratio
+      numbers += 2 * static_cast<int>(m.fields->fields.size());
+    if (m.fibers)
+      for (const auto& family : m.fibers->families)
+        if (family.second.direction_from) numbers += 4;
+    most = std::max(most, numbers);
+  }
+  return most;
 }
 
-std::function<double(int, double)> shear_modulus_of(const NamedMaterials& materials) {
-  std::vector<double> own;
-  for (const auto& named : materials)
-    own.push_back(law_at_rest(named.second).matrix().small_strain().shear);
-  return [materials, own](int material, double intensity) {
-    const auto m = static_cast<std::size_t>(material);
-    const auto& fields = materials[m].second.fields;
-    const FieldParameters* field = fields ? fields->of(VaryingNumber::shear_modulus) : nullptr;
-    return field ? field->at(intensity) : own[m];
-  };
+bool vary(const NamedMaterials& materials) {
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const auto& named) { return varies(named.second); });
+}
+
+bool read_the_specimens_image(const NamedMaterials& materials) {
+  return std::any_of(materials.begin(), materials.end(), [](const auto& named) {
+    const std::vector<const FieldImage*> images = images_of(named.second);
+    return std::any_of(images.begin(), images.end(),
+                       [](const FieldImage* image) { return image->is_the_specimens(); });
+  });
 }
 
 std::map<std::int32_t, int> material_of_label(const NamedMaterials& materials) {

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,11 +19,12 @@
 namespace stroma::material {
 
 /// A family of fibres: the deck's list `Fibers|FAMILY`.
-struct FiberParameters {
+struct FiberParameters : DirectionsFromImage {
   std::optional<int> law;                 ///< place in the list of laws of fibres
   std::map<std::string, double> numbers;  ///< the law's, by their names in the deck
   Distribution distribution = Distribution::single;
   std::optional<std::array<double, 3>> direction;  ///< of single and axial; any length but 0
+  double share = 1.0;                              ///< of the fibres; set by particles, not decks
   std::optional<std::array<double, 3>> axes;       ///< of ellipsoidal, > 0
   std::optional<double> concentration;             ///< b of axial
   std::optional<int> quadrature;                   ///< rings from pole to equator; absent: 16
@@ -100,19 +100,26 @@ MaterialLaws laws_of(const NamedMaterials& materials);
 /// Of small strain, of each material, fibres included.
 std::vector<SmallStrainModuli> moduli_of(const NamedMaterials& materials);
 
+/// The direction of a family that has one; of one whose particles have theirs, what stands for them.
+std::optional<std::array<double, 3>> direction_in(const FiberParameters& family);
+
 /// The direction of a drive: its own, or that of the material's first family with a single one.
 std::optional<std::array<double, 3>> direction_of(const MaterialParameters& material,
                                                   const std::optional<std::array<double, 3>>& own);
 
+/// Without the directions of distributions of fibres: enough for all but stress.
+AnyLaw law_at_rest(const MaterialParameters& material);
+
 /// Numbers of history that particles need.
 int states_of_materials(const NamedMaterials& materials);
 
-/// Whether the shear modulus of a material varies within it.
-bool vary_in_stiffness(const NamedMaterials& materials);
+/// Numbers of their own that particles need, at most.
+int numbers_of_particles(const NamedMaterials& materials);
 
-/// The shear modulus of a particle [Pa]: by the material's field, or the material's own.
-std::function<double(int material, double intensity)> shear_modulus_of(
-    const NamedMaterials& materials);
+/// Whether anything of a material differs from particle to particle.
+bool vary(const NamedMaterials& materials);
+/// Whether fields or directions follow from the specimen's own image, as the deck reads it.
+bool read_the_specimens_image(const NamedMaterials& materials);
 
 /// The index of the material of each label.
 std::map<std::int32_t, int> material_of_label(const NamedMaterials& materials);

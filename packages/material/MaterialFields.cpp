@@ -6,14 +6,6 @@
 
 namespace stroma::material {
 
-const char* name_of(VaryingNumber number) {
-  switch (number) {
-    case VaryingNumber::shear_modulus:
-      return "Shear Modulus [Pa]";
-  }
-  return "";
-}
-
 double FieldParameters::at(double intensity) const {
   const auto above = std::upper_bound(intensities.begin(), intensities.end(), intensity);
   if (above == intensities.begin()) return values.front();
@@ -21,12 +13,6 @@ double FieldParameters::at(double intensity) const {
   const auto n = static_cast<std::size_t>(above - intensities.begin());
   const double share = (intensity - intensities[n - 1]) / (intensities[n] - intensities[n - 1]);
   return values[n - 1] + share * (values[n] - values[n - 1]);
-}
-
-const FieldParameters* MaterialFields::of(VaryingNumber number) const {
-  for (const auto& named : fields)
-    if (named.second.number == number) return &named.second;
-  return nullptr;
 }
 
 }  // namespace stroma::material

@@ -75,8 +75,8 @@ class Filling {
     static_assert(n == AnyLaw::most_families, "as many as a deck may have");
     law_.*count = 0;
     for (const auto& family : given_.fibers->families) {
-      if (!family.second.direction) continue;  // refused elsewhere
-      const auto direction = normalised(*family.second.direction);
+      if (!direction_in(family.second)) continue;  // refused elsewhere
+      const auto direction = normalised(*direction_in(family.second));
       std::copy(direction.begin(), direction.end(), (law_.*member)[(law_.*count)++]);
     }
   }
@@ -107,7 +107,6 @@ ModelOfLaw described() {
 template <class Law>
 Model model_of() {
   Model model = described<Law, Model>();
-  model.may_vary_in_stiffness = material::may_vary_in_stiffness<Law>;
   model.is_isochoric = material::is_isochoric<Law>;
   model.law = [](const MaterialParameters& given) -> AnyMatrix { return filled<Law>(given); };
   return model;

@@ -35,9 +35,8 @@ struct NamedNumbers {
 /// One admissible value of `Model`.
 struct Model : NamedNumbers {
   bool has_volumetric_energy = false;
-  bool takes_directions = false;       ///< of Fibers it takes the directions, and no laws
-  bool is_isochoric = true;            ///< W1 does not change with the volume
-  bool may_vary_in_stiffness = false;  ///< "Shear Modulus [Pa]" may be a field
+  bool takes_directions = false;  ///< of Fibers it takes the directions, and no laws
+  bool is_isochoric = true;       ///< W1 does not change with the volume
   /// The law with a material's numbers, all of which must be there.
   std::function<AnyMatrix(const MaterialParameters&)> law;
 };

@@ -35,9 +35,6 @@ struct NeoHookean {
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {shear_modulus, bulk_modulus};
   }
-  KOKKOS_INLINE_FUNCTION NeoHookean with_shear_modulus(double mu) const {
-    return {mu, bulk_modulus * (mu / shear_modulus), volumetric_energy};
-  }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
     return material::energy_of_volume(volumetric_energy, bulk_modulus, log_j);
   }

@@ -24,15 +24,6 @@ class OneOf : public TaggedUnion<Laws...> {
   KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
     return visit([](const auto& law) { return law.small_strain(); });
   }
-  /// Itself where the law is none whose stiffness may differ.
-  KOKKOS_INLINE_FUNCTION OneOf with_shear_modulus(double mu) const {
-    return visit([&](const auto& law) -> OneOf {
-      if constexpr (may_vary_in_stiffness<std::decay_t<decltype(law)>>)
-        return law.with_shear_modulus(mu);
-      else
-        return law;
-    });
-  }
   KOKKOS_INLINE_FUNCTION void recall(const double* history, double time_step) {
     this->change([=](auto& law) { material::recall(law, history, time_step); });
   }
@@ -84,10 +75,10 @@ KOKKOS_INLINE_FUNCTION void recall(OneOf<Laws...>& law, const double* history, d
   law.recall(history, time_step);
 }
 
-/// Whether kernels ask for a law particle by particle: for one that remembers, and for OneOf. A
-/// single law that is not, such as NeoHookean, is that of the material alone.
+/// Whether kernels ask for a law particle by particle: for one that remembers or takes numbers of
+/// theirs, and for OneOf. Another, such as NeoHookean, is that of the material alone.
 template <class Law>
-constexpr bool is_asked_by_particle = states_of<Law> > 0;
+constexpr bool is_asked_by_particle = states_of<Law> > 0 || takes_numbers<Law>;
 template <class... Laws>
 constexpr bool is_asked_by_particle<OneOf<Laws...>> = true;
 

@@ -7,6 +7,7 @@
 
 #include "stroma/material/AnyFiberLaw.hpp"
 #include "stroma/material/AnyMatrix.hpp"
+#include "stroma/material/EachNumber.hpp"
 #include "stroma/material/FiberDirections.hpp"
 
 namespace stroma::material {
@@ -14,8 +15,31 @@ namespace stroma::material {
 /// Fibres of one law, in one direction or several.
 struct FiberFamily {
   AnyFiberLaw law;
+  /// The single direction; or, of several, the axis onto which their z axis is turned, if they are,
+  /// and the factor of their weights.
+  FiberDirection own{{0.0, 0.0, 1.0}, 1.0};
   const FiberDirection* directions = nullptr;  ///< `count` of them; whoever made it keeps them
   int count = 0;
+  bool are_turned = false;
+
+  /// f(direction) for each of them. The turn is a reflection, which fibres do not tell from one:
+  /// n - 2 v (v.n) / v.v, v = e_z - N.
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_each_direction(const F& f) const {
+    const FiberDirection* list = directions == nullptr ? &own : directions;
+    const double v[3] = {-own.n[0], -own.n[1], 1.0 - own.n[2]};
+    const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    const double factor = are_turned && square > 0.0 ? 2.0 / square : 0.0;
+    const double share = directions == nullptr ? 1.0 : own.weight;
+    for (int d = 0; d < (directions == nullptr ? 1 : count); ++d) {
+      FiberDirection direction = list[d];
+      const double along =
+          factor * (v[0] * direction.n[0] + v[1] * direction.n[1] + v[2] * direction.n[2]);
+      for (int c = 0; c < 3; ++c) direction.n[c] -= along * v[c];
+      direction.weight *= share;
+      f(direction);
+    }
+  }
 };
 
 /// A matrix law with the stress of fibres added, which are embedded in it:
@@ -43,18 +67,28 @@ class Reinforced {
   SmallStrainModuli small_strain() const {
     SmallStrainModuli moduli = matrix_.small_strain();
     for (int f = 0; f < families_; ++f) {
-      const double modulus =
-          family_[f].law.visit([](const auto& law) { return law.small_strain_modulus(); });
+      const double modulus = family_[f].own.weight * family_[f].law.visit([](const auto& law) {
+        return law.small_strain_modulus();
+      });
       moduli.shear += modulus / 15.0;
       moduli.bulk += modulus / 9.0;
     }
     return moduli;
   }
-  /// Of the matrix; fibres stay as they are.
-  KOKKOS_INLINE_FUNCTION Reinforced with_shear_modulus(double mu) const {
-    Reinforced other = *this;
-    other.matrix_ = matrix_.with_shear_modulus(mu);
-    return other;
+  /// visit(NumberName, double&) for each number.
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    matrix_.change([&](auto& law) { material::for_each_number(law, visit); });
+    for (int f = 0; f < families_; ++f) {
+      family_[f].law.change([&](auto& law) {
+        material::for_each_number(law, [&](NumberName name, double& number) {
+          name.family = f;
+          visit(name, number);
+        });
+      });
+      for (int d = 0; d < 3; ++d) visit(NumberName{"Direction", f, d}, family_[f].own.n[d]);
+      visit(NumberName{"Share", f}, family_[f].own.weight);
+    }
   }
   bool may_be_averaged() const { return matrix_.may_be_averaged(); }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
@@ -121,12 +155,11 @@ class Reinforced {
   KOKKOS_INLINE_FUNCTION void for_each_fiber(const Tensor3& H, const F& f) const {
     for (int family = 0; family < families_; ++family) {
       const FiberFamily& fibers = family_[family];
-      for (int d = 0; d < fibers.count; ++d) {
-        const FiberDirection& direction = fibers.directions[d];
+      fibers.for_each_direction([&](const FiberDirection& direction) {
         const StretchedFiber fiber(H, direction.n);
         f(fiber.m, direction.weight,
           fibers.law.visit([&](const auto& law) { return law.at(fiber.x); }));
-      }
+      });
     }
   }
 

@@ -30,10 +30,15 @@ class Relaxing {
   int states_used() const { return viscosity_.states(); }
 
   SmallStrainModuli small_strain() const { return law_.small_strain(); }
-  KOKKOS_INLINE_FUNCTION Relaxing with_shear_modulus(double mu) const {
-    Relaxing other = *this;
-    other.law_ = law_.with_shear_modulus(mu);
-    return other;
+  /// visit(NumberName, double&) for each number.
+  template <class Visit>
+  void for_each_number(const Visit& visit) {
+    law_.for_each_number(visit);
+    if (viscosity_.terms > 0) visit(NumberName{"Viscosity G0"}, viscosity_.long_term);
+    for (int i = 0; i < viscosity_.terms; ++i) {
+      visit(NumberName{"Viscosity Modulus", NumberName::none, i}, viscosity_.modulus[i]);
+      visit(NumberName{"Relaxation Time [s]", NumberName::none, i}, viscosity_.time[i]);
+    }
   }
   /// Not where the stress of volume relaxes, too.
   bool may_be_averaged() const {

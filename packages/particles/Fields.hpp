@@ -17,9 +17,9 @@ namespace stroma::particles {
 /// Which bodies' particles have a field.
 enum class Presence {
   always,
-  where_particles_move,    ///< across the grid, or with a displacement of their own (make_movable)
-  where_stiffness_varies,  ///< within a material
-  where_laws_remember      ///< what happened to the particle
+  where_particles_move,  ///< across the grid, or with a displacement of their own (make_movable)
+  where_materials_vary,  ///< from particle to particle
+  where_laws_remember    ///< what happened to the particle
 };
 
 /// What a step does to it.
@@ -51,8 +51,7 @@ void for_each_field(const Visit& visit, Sets&&... sets) {
   visit(Field{"base_gradient", "-", P::where_particles_move, Change::with_the_grid},
         sets.base_gradient...);
   visit(Field{"home", "-", P::where_particles_move}, sets.home...);
-  visit(Field{"shear_modulus", "Pa", P::where_stiffness_varies, Change::none, true},
-        sets.shear_modulus...);
+  visit(Field{"own_numbers", "the law's", P::where_materials_vary}, sets.own_numbers...);
   visit(Field{"history", "the law's", P::where_laws_remember}, sets.history...);
 }
 
@@ -92,7 +91,8 @@ HostParticles on_host(const Particles<Device>& particles) {
   return host;
 }
 
-/// Bytes of a particle that has the fields of these kinds of presence, but for history.
+/// Bytes of a particle that has the fields of these kinds of presence, but for those of as many
+/// numbers as laws ask for.
 inline std::size_t bytes_of_particle(std::initializer_list<Presence> kinds) {
   std::size_t bytes = 0;
   for_each_field(

@@ -35,8 +35,9 @@ struct Particles {
   Vector3 base_displacement;                     ///< u less what the nodes carry [um], or empty
   Tensor base_gradient;                          ///< H = F - I there [-], or empty
   Kokkos::View<std::int64_t*, Device> home;      ///< where results belong (Exchange.hpp), or empty
-  /// mu of small strain, in place of the material's [Pa], or empty.
-  Kokkos::View<double*, Device> shear_modulus;
+  /// (particle, number) What stands in place of numbers of its material's law (material::AnyLaw::
+  /// let_vary), in their units, or empty.
+  Kokkos::View<double**, Kokkos::LayoutRight, Device> own_numbers;
   /// (particle, number) What the material's law remembers of accepted steps, in its units, or empty.
   Kokkos::View<double**, Kokkos::LayoutRight, Device> history;
 

@@ -48,7 +48,7 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
                              const ParticleParameters& parameters, const grid::Partition& partition,
                              const voxels::LabelVolume& labels,
                              const std::map<std::int32_t, int>& material_of_label,
-                             const std::vector<SeededField>& fields) {
+                             ParticleVoxels* where) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator.rank());
 
@@ -132,6 +132,7 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
   const auto id = Kokkos::create_mirror_view(particles.id);
   const auto element_begin = Kokkos::create_mirror_view(particles.element_begin);
 
+  if (where != nullptr) *where = {voxels, {}};
   int p = 0;
   grid::for_each_index(elements, [&](const grid::Index3& element) {
     element_begin(elements.local(element)) = p;
@@ -147,27 +148,13 @@ Particles<grid::Device> seed(const base::Communicator& communicator,
       }
       volume(p) = share;
       material(p) = static_cast<std::uint8_t>(material_of_label.at(label));
+      if (where != nullptr) where->number.push_back(voxel);
       id(p) = (axis[0].first + ix) +
               axis[0].total * ((axis[1].first + iy) + axis[1].total * (axis[2].first + iz));
       ++p;
     });
   });
   element_begin(elements.count()) = p;
-  for (const SeededField& field : fields) {
-    auto& view = particles.*field.field;
-    allocate(view, "seeded", static_cast<std::size_t>(count));
-    const auto value = Kokkos::create_mirror_view(view);
-    const std::vector<double> intensity = voxels::extract(communicator, *field.intensities, voxels);
-    p = 0;
-    grid::for_each_index(elements, [&](const grid::Index3& element) {
-      for_each_point(element, [&](int, int, int, std::size_t voxel) {
-        if (label_of_voxel[voxel] < 0) return;
-        value(p) = field.value(material(p), intensity[voxel]);
-        ++p;
-      });
-    });
-    Kokkos::deep_copy(view, value);
-  }
 
   Kokkos::deep_copy(particles.position, position);
   Kokkos::deep_copy(particles.volume, volume);

@@ -6,8 +6,8 @@
 /// Particles from a segmented image.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -27,30 +27,38 @@ std::array<std::vector<double>, 3> layer_weights(const base::Communicator& commu
                                                  const grid::Grid& grid,
                                                  const voxels::LabelVolume& labels);
 
-/// A field whose values follow from the voxels that the particles lie in.
-struct SeededField {
-  using Member = Kokkos::View<double*, grid::Device>(Particles<grid::Device>::*);
-
-  Member field;  ///< such as &Particles<grid::Device>::shear_modulus
-  const voxels::IntensityVolume* intensities;
-  std::function<double(int material, double intensity)> value;
+/// The voxels that a rank's particles lie in.
+struct ParticleVoxels {
+  voxels::Box box;                  ///< of the image
+  std::vector<std::size_t> number;  ///< (particle) of its voxel in the box, x fastest
 };
 
+/// The values of a volume at the voxels of particles. Collective.
+template <class T>
+std::vector<T> at_particles(const base::Communicator& communicator, const ParticleVoxels& particles,
+                            const voxels::Volume<T>& volume) {
+  const std::vector<T> in_box = voxels::extract(communicator, volume, particles.box);
+  std::vector<T> values;
+  values.reserve(particles.number.size());
+  for (const std::size_t voxel : particles.number) values.push_back(in_box[voxel]);
+  return values;
+}
+
 /// Particles in this rank's elements: position, reference volume, material index and id of each
-/// particle whose voxel is not empty (label -1), and the fields asked for. Ids number the full
-/// tensor product, x fastest, so that they do not depend on the ranks. Collective.
+/// particle whose voxel is not empty (label -1). Ids number the full tensor product, x fastest, so
+/// that they do not depend on the ranks. Collective.
 ///
 /// \param communicator       of the ranks that share the grid
 /// \param parameters         the deck's section
 /// \param partition          which elements are whose
 /// \param labels             of the voxels; -1: empty space
 /// \param material_of_label  index of the material of each label
-/// \param fields             besides what every particle has
+/// \param where              if not null, gets the particles' voxels
 /// \throws base::InputError when a label has no material
 Particles<grid::Device> seed(const base::Communicator& communicator,
                              const ParticleParameters& parameters, const grid::Partition& partition,
                              const voxels::LabelVolume& labels,
                              const std::map<std::int32_t, int>& material_of_label,
-                             const std::vector<SeededField>& fields = {});
+                             ParticleVoxels* where = nullptr);
 
 }  // namespace stroma::particles

@@ -3,6 +3,7 @@
 #include "stroma/sections/FibersSection.hpp"
 
 #include "stroma/base/Log.hpp"
+#include "stroma/sections/FieldImage.hpp"
 #include "stroma/sections/ModelNumbers.hpp"
 
 namespace stroma::sections {
@@ -20,13 +21,51 @@ void check_distribution(const FiberParameters& p, deck::Findings& findings) {
     if (is_used && !is_given) findings.add(name, std::string("missing; ") + by + " asks for it");
     if (!is_used && is_given) findings.add(name, std::string("is used with ") + by + " only");
   };
-  ask("Direction", p.direction.has_value(), has_axis, "Distribution = Single or Axial");
+  if (p.direction && p.direction_from)
+    findings.add("Direction", "beside Direction From; admissible: one of the two");
+  else
+    ask("Direction", p.direction || p.direction_from, has_axis, "Distribution = Single or Axial");
   ask("Axes", p.axes.has_value(), is_ellipsoidal, "Distribution = Ellipsoidal");
   ask("Concentration", p.concentration.has_value(), is_axial, "Distribution = Axial");
   if (p.distribution == Distribution::single && p.quadrature)
     findings.add("Quadrature", "is not used with Distribution = Single");
   if (p.direction && *p.direction == std::array<double, 3>{})
     findings.add("Direction", "has no length; admissible: three numbers, not all 0");
+}
+
+/// What directions from images ask for, and what they leave unused.
+void check_images(const FiberParameters& p, deck::Findings& findings) {
+  using Kind = DirectionsFromImage::Kind;
+  const bool is_tensor = p.direction_from == Kind::structure_tensor;
+  const bool is_images = p.direction_from == Kind::images;
+  const auto refuse = [&](const char* name, bool is_given) {
+    if (is_given) findings.add(name, "is used with Direction From = Structure Tensor only");
+  };
+  if (!is_tensor) {
+    refuse("Image", p.file.has_value());
+    refuse("Dataset", p.dataset.has_value());
+    refuse("Channel", p.channel.has_value());
+    refuse("Frame", p.frame.has_value());
+    refuse("Gradient Scale [um]", p.gradient_scale.has_value());
+    refuse("Window Scale [um]", p.window_scale.has_value());
+    refuse("Coherence Weight", p.weigh_by_coherence);
+  } else {
+    if (!p.gradient_scale)
+      findings.add("Gradient Scale [um]", "missing; Direction From = Structure Tensor asks for it");
+    if (!p.window_scale)
+      findings.add("Window Scale [um]", "missing; Direction From = Structure Tensor asks for it");
+    if (p.gradient_scale && p.window_scale && *p.window_scale < *p.gradient_scale)
+      findings.add("Window Scale [um]",
+                   base::format("found %g; admissible: at least the Gradient Scale, %g",
+                                *p.window_scale, *p.gradient_scale));
+  }
+  if (is_images && p.images.size() != 3)
+    findings.add("Images",
+                 base::format("found %zu files; admissible: three, of the components along "
+                              "x, y, z",
+                              p.images.size()));
+  if (!is_images && !p.images.empty())
+    findings.add("Images", "is used with Direction From = Images only");
 }
 
 }  // namespace
@@ -53,6 +92,31 @@ deck::Section<FibersParameters> fibers_section() {
       "sphere, which is 4 pi times the mean where their weight is 1.");
   family.optional("Direction", &FiberParameters::direction, deck::any(),
                   "x, y, z of Single and Axial; any length but 0.");
+  family.choice(
+      "Direction From", deck::inherited<FiberParameters>(&FiberParameters::direction_from),
+      {{"Structure Tensor", DirectionsFromImage::Kind::structure_tensor},
+       {"Images", DirectionsFromImage::Kind::images}},
+      "In place of Direction, of each particle its own. Structure Tensor: the direction in "
+      "which an image varies least. Images: the voxel's, by three images.");
+  declare_field_image(family);
+  family.optional("Gradient Scale [um]",
+                  deck::inherited<FiberParameters>(&FiberParameters::gradient_scale),
+                  deck::positive(),
+                  "Standard deviation of the Gaussian whose derivatives give the image's gradient: "
+                  "about the radius of a fibre, and no less than a voxel or so.");
+  family.optional("Window Scale [um]",
+                  deck::inherited<FiberParameters>(&FiberParameters::window_scale),
+                  deck::positive(),
+                  "Of the Gaussian over which products of gradients are averaged: the size of a "
+                  "region of one direction, a few fibres wide.");
+  family.optional(
+      "Coherence Weight", deck::inherited<FiberParameters>(&FiberParameters::weigh_by_coherence),
+      deck::any(),
+      "Whether a particle's fibres count by the coherence of their direction, (l2 - l3) "
+      "/ (l2 + l3), l1 >= l2 >= l3 the eigenvalues of the structure tensor.");
+  family.optional("Images", deck::inherited<FiberParameters>(&FiberParameters::images), deck::any(),
+                  "Three files of the components of the direction along x, y, z, of the specimen's "
+                  "voxels; any length but 0, either sense.");
   family.optional("Axes", &FiberParameters::axes, deck::positive(),
                   "a_x, a_y, a_z of Ellipsoidal.");
   family.optional("Concentration", &FiberParameters::concentration, deck::any(),
@@ -66,6 +130,7 @@ deck::Section<FibersParameters> fibers_section() {
                     findings);
   });
   family.check(check_distribution);
+  family.check(check_images);
 
   deck::Section<FibersParameters> section(
       "Fibers",

@@ -6,10 +6,13 @@
 /// The deck section "Materials|NAME|Fields".
 
 #include "stroma/deck/Section.hpp"
-#include "stroma/material/MaterialFields.hpp"
+#include "stroma/material/Material.hpp"
 
 namespace stroma::sections {
 
 deck::Section<material::MaterialFields> material_fields_section();
+
+/// Looks for fields of what a material does not give, and for values that it may not have.
+void check_fields(const material::MaterialParameters& material, deck::Findings& findings);
 
 }  // namespace stroma::sections

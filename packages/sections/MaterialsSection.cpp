@@ -79,6 +79,10 @@ void check_fibers(const MaterialParameters& p, deck::Findings& findings) {
     if (family.distribution != Distribution::single)
       findings.add(where + "Distribution", "admissible with Model = " + model.name +
                                                ": \"Single\"; Kappa disperses fibres");
+    if (family.weigh_by_coherence)
+      findings.add(where + "Coherence Weight", "Model = " + model.name +
+                                                   " has one modulus for all its fibres; "
+                                                   "admissible: false");
   }
 }
 
@@ -115,13 +119,7 @@ deck::Section<MaterialsParameters> materials_section() {
                                            : "which Model = " + model.name + " is not") +
                        "; admissible: \"All\"");
   });
-  material.check([](const MaterialParameters& p, deck::Findings& findings) {
-    if (!p.fields || model_of(p).may_vary_in_stiffness) return;
-    for (const auto& [name, field] : p.fields->fields)
-      if (field.number == VaryingNumber::shear_modulus)
-        findings.add("Fields|" + name, std::string(name_of(field.number)) +
-                                           " is no parameter of Model = " + model_of(p).name);
-  });
+  material.check(check_fields);
 
   deck::Section<MaterialsParameters> section("Materials",
                                              "One sublist for each material, named by the user.");

@@ -2,8 +2,10 @@
 
 #include "stroma/solver/Advice.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "stroma/base/Log.hpp"
-#include "stroma/grid/ToDevice.hpp"
 #include "stroma/mechanics/BarelyFilled.hpp"
 #include "stroma/solver/Preconditioner.hpp"
 
@@ -15,22 +17,15 @@ namespace {
 
 /// Of the shear moduli of the particles, on all ranks.
 double contrast(const mechanics::MomentumBalance& balance) {
-  const auto moduli = grid::to_device("moduli", balance.problem().laws.moduli);
-  const auto material = balance.body().particles().material;
-  const auto own = balance.body().particles().shear_modulus;
-  using Extremes = Kokkos::MinMax<double>;
-  Extremes::value_type found;
-  Kokkos::parallel_reduce(
-      "contrast",
-      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(material.extent(0))),
-      KOKKOS_LAMBDA(const int p, Extremes::value_type& all) {
-        const double mu = own.extent(0) != 0 ? own(p) : moduli(material(p)).shear;
-        if (mu < all.min_val) all.min_val = mu;
-        if (mu > all.max_val) all.max_val = mu;
-      },
-      Extremes(found));
+  const particles::HostParticles particles = particles::on_host(balance.body().particles());
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  for (int p = 0; p < particles.count(); ++p) {
+    const double mu = balance.body().stress()->moduli_of(particles, p).shear;
+    least = std::min(least, mu);
+    most = std::max(most, mu);
+  }
   const base::Communicator& communicator = balance.halo().communicator();
-  return communicator.max(found.max_val) / communicator.min(found.min_val);
+  return communicator.max(most) / communicator.min(least);
 }
 
 }  // namespace

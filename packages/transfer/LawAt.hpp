@@ -13,7 +13,7 @@ namespace stroma::transfer {
 /// \param law        (material)
 /// \param points     of the rank
 /// \param material   of the point
-/// \param p          the particle whose stiffness it has: itself, or of a fictitious point the one
+/// \param p          the particle whose numbers it has: itself, or of a fictitious point the one
 ///                   whose material it takes
 /// \param is_real    a particle, which has a history and is driven; else neither
 /// \return the law, or a reference to the material's where particles have nothing of their own
@@ -24,9 +24,8 @@ KOKKOS_INLINE_FUNCTION decltype(auto) law_at(const Kokkos::View<const Law*, Devi
   if constexpr (material::is_asked_by_particle<Law>) {
     const particles::Particles<Device>& particles = points.particles;
     Law own = law(material);
-    if constexpr (material::may_vary_in_stiffness<Law>)
-      if (particles.shear_modulus.extent(0) != 0)
-        own = own.with_shear_modulus(particles.shear_modulus(p));
+    if constexpr (material::takes_numbers<Law>)
+      if (particles.own_numbers.extent(1) != 0) own.take(&particles.own_numbers(p, 0));
     if constexpr (material::states_of < Law >> 0)
       if (is_real && particles.history.extent(1) != 0)
         material::recall(own, &particles.history(p, 0), points.time_step);

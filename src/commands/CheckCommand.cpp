@@ -128,6 +128,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   log.line(format("particles   %lld, %.4g per element with particles",
                   static_cast<long long>(specimen.particle_count),
                   static_cast<double>(specimen.particle_count) / static_cast<double>(filled)));
+  for (const std::string& field : specimen.fields) log.line(field);
   log.line("dilatation  " + specimen.dilatation);
   for (const std::string& note : specimen.notes) log.note(note);
   log.line(format("unknowns    %lld", static_cast<long long>(balance.supports().unknowns())));

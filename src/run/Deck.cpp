@@ -35,20 +35,46 @@ std::string absolute(const deck::Document& document, const std::string& file) {
   return std::filesystem::absolute(document.resolve(file)).lexically_normal().string();
 }
 
-/// A material's fields ask for an image of intensities.
+/// visit(where, file) for each image file that a deck names.
+template <class Visit>
+void for_each_image_file(DeckParameters& p, const Visit& visit) {
+  if (p.image.file) visit("Image|File", *p.image.file);
+  for (auto& [name, material] : p.materials.materials) {
+    const std::string where = "Materials|" + name + "|";
+    if (material.fields)
+      for (auto& [field, parameters] : material.fields->fields)
+        if (parameters.file) visit(where + "Fields|" + field + "|Image", *parameters.file);
+    if (!material.fibers) continue;
+    for (auto& [family, fibers] : material.fibers->families) {
+      if (fibers.file) visit(where + "Fibers|" + family + "|Image", *fibers.file);
+      for (std::string& file : fibers.images) visit(where + "Fibers|" + family + "|Images", file);
+    }
+  }
+}
+
+/// A material's fields and structure tensors ask for an image of intensities.
 void refuse_fields_without_intensities(const DeckParameters& p, deck::Findings& findings) {
   using Method = image::SegmentationParameters::Method;
-  const std::string reason =
-      p.image.phantom ? "the specimen is a phantom, which has no intensities; admissible with "
-                        "Image|File"
-      : p.image.segmentation.method == Method::labels
-          ? "with Image|Segmentation|Method = Labels the image holds labels, not intensities"
-          : "";
-  if (reason.empty()) return;
-  for (const auto& [name, material] : p.materials.materials)
+  const auto check = [&](const std::string& where, const material::FieldImage& image) {
+    if (image.file) return;
+    if (p.image.phantom)
+      findings.add(where + "|Image",
+                   "missing; the specimen is a phantom, which has no intensities");
+    else if (image.is_the_specimens() && p.image.segmentation.method == Method::labels)
+      findings.add(where + "|Image",
+                   "missing; with Image|Segmentation|Method = Labels the specimen's image holds "
+                   "labels, not intensities");
+  };
+  for (const auto& [name, material] : p.materials.materials) {
+    const std::string where = "Materials|" + name + "|";
     if (material.fields)
-      for (const auto& field : material.fields->fields)
-        findings.add("Materials|" + name + "|Fields|" + field.first, reason);
+      for (const auto& [field, parameters] : material.fields->fields)
+        check(where + "Fields|" + field, parameters);
+    if (material.fibers)
+      for (const auto& [family, fibers] : material.fibers->families)
+        if (fibers.direction_from == material::DirectionsFromImage::Kind::structure_tensor)
+          check(where + "Fibers|" + family, fibers);
+  }
 }
 
 void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& findings) {
@@ -148,13 +174,12 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
   deck::Document document = deck::load(path, overrides);
   DeckParameters parameters = deck::read(document, deck_section());
   attach_load_curves(parameters);
-  if (parameters.image.file) {  // deck.xml says where it lies
-    const std::string file = absolute(document, *parameters.image.file);
-    const std::string problem = deck::unwritable(file);
+  for_each_image_file(parameters, [&](const std::string& where, const std::string& name) {
+    const std::string problem = deck::unwritable(absolute(document, name));  // in deck.xml
     if (!problem.empty())
-      throw base::InputError("Image|File: the path " + problem +
+      throw base::InputError(where + ": the path " + problem +
                              "; move the image, or rename its folder");
-  }
+  });
   std::ifstream file(path);
   return {std::move(document), std::move(parameters),
           std::string(std::istreambuf_iterator<char>(file), {})};
@@ -162,15 +187,18 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
 
 std::vector<std::string> input_files(const Deck& deck) {
   std::vector<std::string> files{deck.document.path()};
-  if (deck.parameters.image.file)
-    files.push_back(deck.document.resolve(*deck.parameters.image.file));
+  DeckParameters parameters = deck.parameters;
+  for_each_image_file(parameters, [&](const std::string&, const std::string& file) {
+    files.push_back(deck.document.resolve(file));
+  });
   return files;
 }
 
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
   DeckParameters parameters = deck.parameters;
-  if (parameters.image.file)
-    parameters.image.file = absolute(deck.document, *parameters.image.file);
+  for_each_image_file(parameters, [&](const std::string&, std::string& file) {
+    file = absolute(deck.document, file);
+  });
   if (!parameters.loading.times) parameters.loading.steps = parameters.loading.equal_steps();
   return deck::filled(deck_section(), parameters);
 }

@@ -65,7 +65,8 @@ output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fie
 
 output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance,
                                        const grid::Vector& u) const {
-  auto shown = shown_fields(communicator_, balance.body().particles());
+  auto shown = shown_fields(communicator_, deck_->parameters.materials.materials, *specimen_,
+                            balance.body().particles());
   if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
     const int count = specimen_->particles.count();
     const HomeOrder home(communicator_, balance.body().particles(), count);
@@ -91,7 +92,8 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
   const base::Stage stage("output");
   if (!particle_file_) {
     std::vector<output::ShownField> fields;
-    for (const ShownValues& one : shown_fields(communicator_, balance.body().particles()))
+    for (const ShownValues& one : shown_fields(communicator_, deck_->parameters.materials.materials,
+                                               *specimen_, balance.body().particles()))
       fields.push_back(one.field);
     particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                            output::history_columns(conditions_, materials_), provenance_,

@@ -62,18 +62,23 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const double nodes = counts.nodes;
   const bool resets = parameters.grid.reset;
   MemoryEstimate estimate{};
-  const bool varies = material::vary_in_stiffness(parameters.materials.materials);
-  const double intensities = varies ? 8.0 : 0.0;  // of a voxel, kept beside its label
+  const material::NamedMaterials& materials = parameters.materials.materials;
+  const double intensities =  // of a voxel, kept beside its label
+      material::read_the_specimens_image(materials) ? 8.0 : 0.0;
   estimate.image = (parameters.image.phantom ? 4.0 : 12.0 + intensities) * counts.voxels;
   const bool is_sorted = parameters.grid.shape_functions != shape::ShapeFunctions::linear;
   double seeded = bytes_of_particle({Presence::always});
-  if (varies) seeded += bytes_of_particle({Presence::where_stiffness_varies});
-  const double remembered =
-      sizeof(double) * material::states_of_materials(parameters.materials.materials);
+  seeded += sizeof(double) * material::numbers_of_particles(materials);
+  const double remembered = sizeof(double) * material::states_of_materials(materials);
   const double moving = seeded + bytes_of_particle({Presence::where_particles_move}) + remembered;
   constexpr double order = 24.0;  // of a particle, while particles are sorted
-  estimate.seeding = (8.0 + 2.0 * intensities) * counts.voxels +
-                     (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles;
+  // What fields are made of: an image with its copy, or the gradients of one and their product; and
+  // what particles take from them.
+  const double of_fields = material::vary(materials) ? 28.0 : 0.0;
+  const double taken = material::vary(materials) ? 16.0 + 2.0 * seeded : 0.0;
+  estimate.seeding = (8.0 + intensities + of_fields) * counts.voxels +
+                     (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles +
+                     taken * counts.particles;
   estimate.particles = (resets ? 2.0 * moving + seeded : seeded + remembered) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "run/MemoryEstimate.hpp"
+#include "run/OwnNumbers.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/base/Stage.hpp"
@@ -69,44 +69,6 @@ bool has_volume_forces(const mechanics::NamedForces& forces) {
                      [](const auto& named) { return !named.second.traction; });
 }
 
-/// The least and the greatest of the shear moduli of each material's particles, over all ranks, as
-/// moduli of small strain, one after the other; the material's own where it has no particles.
-std::vector<material::SmallStrainModuli> extremes_of(
-    const base::Communicator& communicator, const material::NamedMaterials& materials,
-    const particles::Particles<grid::Device>& particles) {
-  const std::vector<material::SmallStrainModuli> moduli = material::moduli_of(materials);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<double> least(moduli.size(), infinity), greatest(moduli.size(), -infinity);
-  const particles::HostParticles host = particles::on_host(particles);
-  for (int p = 0; p < particles.count(); ++p) {
-    least[host.material(p)] = std::min(least[host.material(p)], host.shear_modulus(p));
-    greatest[host.material(p)] = std::max(greatest[host.material(p)], host.shear_modulus(p));
-  }
-  std::vector<material::SmallStrainModuli> extremes;
-  for (std::size_t m = 0; m < moduli.size(); ++m) {
-    const material::SmallStrainModuli& own = moduli[m];
-    const double softest = communicator.min(least[m]), stiffest = communicator.max(greatest[m]);
-    const bool has_particles = softest <= stiffest;
-    extremes.push_back(has_particles ? own.with_shear_modulus(softest) : own);
-    extremes.push_back(has_particles ? own.with_shear_modulus(stiffest) : own);
-  }
-  return extremes;
-}
-
-/// A line for each material whose stiffness varies.
-std::vector<std::string> stiffness_notes(const material::NamedMaterials& materials,
-                                         const std::vector<material::SmallStrainModuli>& extremes) {
-  std::vector<std::string> notes;
-  for (std::size_t m = 0; 2 * m < extremes.size(); ++m) {
-    const auto& [name, material] = materials[m];
-    if (material.fields && material.fields->of(material::VaryingNumber::shear_modulus))
-      notes.push_back(
-          base::format("%s: shear moduli of %.4g to %.4g Pa, by the image's intensities",
-                       name.c_str(), extremes[2 * m].shear, extremes[2 * m + 1].shear));
-  }
-  return notes;
-}
-
 }  // namespace
 
 SpecimenImage read_image(const base::Communicator& communicator, const Deck& deck) {
@@ -120,7 +82,7 @@ SpecimenImage read_image(const base::Communicator& communicator, const Deck& dec
         const grid::Grid body = body_of(p, found.size, found.voxel_size.um);
         require_memory(communicator, p, found.size, body, 0.0);
       },
-      material::vary_in_stiffness(p.materials.materials) ? &image.intensities : nullptr);
+      material::read_the_specimens_image(p.materials.materials) ? &image.intensities : nullptr);
   if (!has_volume_forces(p.external_forces.forces)) {  // a fragment that they load is an error
     const grid::Grid body = body_of(p, labels.size, labels.voxel_size);
     const std::string note =
@@ -141,13 +103,15 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
 
   const auto lattice = grid::Partition::balanced(
       grid, communicator.size(), particles::layer_weights(communicator, grid, labels));
-  const bool varies = material::vary_in_stiffness(materials);
-  std::vector<particles::SeededField> fields;
-  if (varies)
-    fields.push_back({&particles::Particles<grid::Device>::shear_modulus, &image.intensities,
-                      material::shear_modulus_of(materials)});
+  const bool vary = material::vary(materials);
+  particles::ParticleVoxels where;
   auto particles = particles::seed(communicator, p.particles, lattice, labels,
-                                   material::material_of_label(materials), fields);
+                                   material::material_of_label(materials), vary ? &where : nullptr);
+  OwnNumbers own;
+  if (vary) {
+    FieldImages images(communicator, deck, image, where);
+    own = give_own_numbers(communicator, images, materials, particles);
+  }
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
   Specimen specimen{image.summary,
@@ -158,14 +122,17 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     particles::layout_notes(p.particles, grid, labels.size),
                     0,
                     "",
+                    {},
+                    {},
                     {}};
   const material::Compressibility of_volume = material::compressibility(materials);
   specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
   const std::string locking = mechanics::locking_note(p.grid, of_volume);
   if (!locking.empty()) specimen.notes.push_back(locking);
-  if (varies) specimen.extremes = extremes_of(communicator, materials, particles);
-  for (std::string& note : stiffness_notes(materials, specimen.extremes))
-    specimen.notes.push_back(std::move(note));
+  specimen.fields = std::move(own.ranges);
+  for (std::string& note : own.notes) specimen.notes.push_back(std::move(note));
+  specimen.own_numbers = std::move(own.which);
+  specimen.extremes = std::move(own.extremes);
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");
@@ -196,9 +163,10 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   const DeckParameters& p = deck.parameters;
   mechanics::Problem problem;
   problem.body = specimen.body;
-  const material::MaterialLaws made = material::laws_of(p.materials.materials);
-  problem.laws = mechanics::LawList{made.laws, material::vary_in_stiffness(p.materials.materials),
-                                    made.directions};
+  material::MaterialLaws made = material::laws_of(p.materials.materials);
+  for (std::size_t m = 0; m < specimen.own_numbers.size(); ++m)
+    made.laws[m].let_vary(specimen.own_numbers[m]);
+  problem.laws = mechanics::LawList{made.laws, made.directions};
   problem.laws.extremes = specimen.extremes;
   problem.duration = p.loading.seconds();
   problem.drives = drives_of(p);

@@ -36,6 +36,8 @@ struct Specimen {
   std::string dilatation;          ///< which one, and why
   /// The softest and stiffest of the particles of each material, where they differ; else empty.
   std::vector<material::SmallStrainModuli> extremes;
+  std::vector<std::vector<int>> own_numbers;  ///< (material) that particles give (OwnNumbers)
+  std::vector<std::string> fields;            ///< a line on each
 };
 
 /// What is solved on the specimen.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace stroma::image {
 namespace {
@@ -17,56 +19,90 @@ std::int64_t mirrored(std::int64_t i, std::int64_t n) {
   return folded < n ? folded : period - 1 - folded;
 }
 
-/// One line of n values, continued by its mirror image over r values to each side, under the
-/// weights.
+/// Weights at -r, ..., r of each value's neighbours along an axis.
+class LineFilter {
+ public:
+  /// Lines are continued by their mirror images.
+  explicit LineFilter(std::vector<double> weights) : weights_(std::move(weights)) {}
+  /// Means of what lies inside, at least `margin` values off the ends.
+  LineFilter(std::vector<double> weights, std::int64_t margin)
+      : weights_(std::move(weights)), is_mirrored_(false), margin_(margin) {}
+
+  std::int64_t reach() const { return static_cast<std::int64_t>(weights_.size() / 2); }
+  double weight(std::int64_t w) const { return weights_[static_cast<std::size_t>(w + reach())]; }
+  /// Whose value stands at position i, in a line of n values, itself or beyond; -1: none.
+  std::int64_t source(std::int64_t i, std::int64_t n) const {
+    if (is_mirrored_) return mirrored(i, n);
+    return i >= margin_ && i < n - margin_ ? i : -1;
+  }
+  /// What the sum at position i is multiplied by.
+  double scale(std::int64_t i, std::int64_t n) const {
+    if (is_mirrored_) return 1.0;
+    double sum = 0.0;
+    for (std::int64_t w = -reach(); w <= reach(); ++w)
+      if (source(i + w, n) >= 0) sum += weight(w);
+    return 1.0 / sum;
+  }
+
+ private:
+  std::vector<double> weights_;
+  bool is_mirrored_ = true;
+  std::int64_t margin_ = 0;
+};
+
 template <class T>
-void convolve_line(const std::vector<double>& weights, std::int64_t n, T* line,
-                   std::vector<double>& extended) {
-  const auto r = static_cast<std::int64_t>(weights.size() / 2);
+void filter_line(const LineFilter& filter, std::int64_t n, T* line, std::vector<double>& extended) {
+  const std::int64_t r = filter.reach();
   extended.resize(static_cast<std::size_t>(n + 2 * r));
-  for (std::int64_t i = -r; i < n + r; ++i)
-    extended[static_cast<std::size_t>(i + r)] = line[mirrored(i, n)];
+  for (std::int64_t i = -r; i < n + r; ++i) {
+    const std::int64_t source = filter.source(i, n);
+    extended[static_cast<std::size_t>(i + r)] = source < 0 ? 0.0 : line[source];
+  }
   for (std::int64_t i = 0; i < n; ++i) {
     double sum = 0.0;
-    for (std::size_t w = 0; w < weights.size(); ++w)
-      sum += weights[w] * extended[static_cast<std::size_t>(i) + w];
-    line[i] = static_cast<T>(sum);
+    for (std::int64_t w = -r; w <= r; ++w)
+      sum += filter.weight(w) * extended[static_cast<std::size_t>(i + w + r)];
+    line[i] = static_cast<T>(filter.scale(i, n) * sum);
   }
 }
 
 /// Along y, whole rows at a time: much faster than line by line.
 template <class T>
-void convolve_rows(const std::vector<double>& weights, std::int64_t rows, std::int64_t row_length,
-                   T* plane) {
-  const auto r = static_cast<std::int64_t>(weights.size() / 2);
+void filter_rows(const LineFilter& filter, std::int64_t rows, std::int64_t row_length, T* plane) {
+  const std::int64_t r = filter.reach();
   const std::vector<T> original(plane, plane + rows * row_length);
   std::vector<double> sum(static_cast<std::size_t>(row_length));
   for (std::int64_t j = 0; j < rows; ++j) {
     std::fill(sum.begin(), sum.end(), 0.0);
     for (std::int64_t w = -r; w <= r; ++w) {
-      const double weight = weights[static_cast<std::size_t>(w + r)];
-      const T* row = original.data() + mirrored(j + w, rows) * row_length;
+      const std::int64_t source = filter.source(j + w, rows);
+      if (source < 0) continue;
+      const double weight = filter.weight(w);
+      const T* row = original.data() + source * row_length;
       for (std::int64_t i = 0; i < row_length; ++i)
         sum[static_cast<std::size_t>(i)] += weight * row[i];
     }
+    const double scale = filter.scale(j, rows);
     std::transform(sum.begin(), sum.end(), plane + j * row_length,
-                   [](double s) { return static_cast<T>(s); });
+                   [=](double s) { return static_cast<T>(scale * s); });
   }
 }
 
 /// Along z: the planes within reach come from the ranks that hold them.
 template <class T>
-void convolve_planes(const base::Communicator& communicator, voxels::Volume<T>& volume,
-                     const std::vector<double>& weights) {
-  const auto r = static_cast<std::int64_t>(weights.size() / 2);
+void filter_planes(const base::Communicator& communicator, voxels::Volume<T>& volume,
+                   const LineFilter& filter) {
+  const std::int64_t r = filter.reach();
   const std::int64_t planes = volume.size[2];
   // A mirrored plane may lie anywhere when the reach exceeds the volume; the range below covers
   // that too.
   std::int64_t first = planes, last = -1;
   for (std::int64_t k = volume.first_plane - r;
        k < volume.first_plane + volume.planes + r && volume.planes > 0; ++k) {
-    first = std::min(first, mirrored(k, planes));
-    last = std::max(last, mirrored(k, planes));
+    const std::int64_t source = filter.source(k, planes);
+    if (source < 0) continue;
+    first = std::min(first, source);
+    last = std::max(last, source);
   }
   voxels::Box reach{{0, 0, first}, {volume.size[0], volume.size[1], last - first + 1}};
   if (volume.planes == 0) reach = voxels::Box{};
@@ -76,13 +112,15 @@ void convolve_planes(const base::Communicator& communicator, voxels::Volume<T>& 
   for (std::int64_t k = 0; k < volume.planes; ++k) {
     std::fill(sum.begin(), sum.end(), 0.0);
     for (std::int64_t w = -r; w <= r; ++w) {
-      const double weight = weights[static_cast<std::size_t>(w + r)];
-      const std::int64_t source = mirrored(volume.first_plane + k + w, planes) - first;
-      const T* plane = around.data() + source * volume.plane_voxels();
+      const std::int64_t source = filter.source(volume.first_plane + k + w, planes);
+      if (source < 0) continue;
+      const double weight = filter.weight(w);
+      const T* plane = around.data() + (source - first) * volume.plane_voxels();
       for (std::size_t i = 0; i < plane_voxels; ++i) sum[i] += weight * plane[i];
     }
+    const double scale = filter.scale(volume.first_plane + k, planes);
     std::transform(sum.begin(), sum.end(), volume.plane(k),
-                   [](double s) { return static_cast<T>(s); });
+                   [=](double s) { return static_cast<T>(scale * s); });
   }
 }
 
@@ -126,6 +164,48 @@ void average_planes(const base::Communicator& communicator, voxels::Volume<T>& v
   }
 }
 
+/// Where there is no filter, the mean.
+template <class T>
+void apply(const base::Communicator& communicator, voxels::Volume<T>& volume,
+           const std::array<std::optional<LineFilter>, 3>& filter) {
+  const auto& [along_x, along_y, along_z] = filter;
+  const auto changes = [](const LineFilter& f) { return f.reach() > 0 || f.weight(0) != 1.0; };
+  std::vector<double> line;
+  for (std::int64_t k = 0; k < volume.planes; ++k) {
+    T* plane = volume.plane(k);
+    for (std::int64_t j = 0; j < volume.size[1]; ++j) {
+      T* row = plane + j * volume.size[0];
+      if (!along_x)
+        average_line(volume.size[0], row);
+      else if (changes(*along_x))
+        filter_line(*along_x, volume.size[0], row, line);
+    }
+    if (!along_y)
+      average_rows(volume.size[1], volume.size[0], plane);
+    else if (changes(*along_y))
+      filter_rows(*along_y, volume.size[1], volume.size[0], plane);
+  }
+  if (!along_z)
+    average_planes(communicator, volume);
+  else if (changes(*along_z))
+    filter_planes(communicator, volume, *along_z);
+}
+
+/// Of a Gaussian's weights: in proportion to place, such that a line that rises by 1 from value to
+/// value has the derivative 1.
+std::vector<double> derivative_of(std::vector<double> weights) {
+  if (weights.size() == 1) weights = {1.0, 1.0, 1.0};  // central differences
+  const auto r = static_cast<double>(weights.size() / 2);
+  double sum = 0.0;
+  for (std::size_t w = 0; w < weights.size(); ++w) {
+    const double place = static_cast<double>(w) - r;
+    weights[w] *= place;
+    sum += weights[w] * place;
+  }
+  for (double& weight : weights) weight /= sum;
+  return weights;
+}
+
 }  // namespace
 
 bool smooths_to_mean(double sigma, std::int64_t n) {
@@ -147,30 +227,46 @@ std::vector<double> gaussian_weights(double sigma) {
 template <class T>
 void smooth(const base::Communicator& communicator, voxels::Volume<T>& volume,
             const std::array<double, 3>& sigma) {
-  std::array<std::vector<double>, 3> weights;  // none along an axis: the mean is taken there
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  std::array<std::optional<LineFilter>, 3> filter;  // none along an axis: the mean is taken there
+  for (std::size_t axis = 0; axis < 3; ++axis)
     if (!smooths_to_mean(sigma[axis], volume.size[axis]))
-      weights[axis] = gaussian_weights(sigma[axis]);
-  }
-  const auto& [along_x, along_y, along_z] = weights;
-  std::vector<double> line;
-  for (std::int64_t k = 0; k < volume.planes; ++k) {
-    T* plane = volume.plane(k);
-    for (std::int64_t j = 0; j < volume.size[1]; ++j) {
-      T* row = plane + j * volume.size[0];
-      if (along_x.empty()) average_line(volume.size[0], row);
-      if (along_x.size() > 1) convolve_line(along_x, volume.size[0], row, line);
-    }
-    if (along_y.empty()) average_rows(volume.size[1], volume.size[0], plane);
-    if (along_y.size() > 1) convolve_rows(along_y, volume.size[1], volume.size[0], plane);
-  }
-  if (along_z.empty()) average_planes(communicator, volume);
-  if (along_z.size() > 1) convolve_planes(communicator, volume, along_z);
+      filter[axis].emplace(gaussian_weights(sigma[axis]));
+  apply(communicator, volume, filter);
 }
 
-template void smooth(const base::Communicator&, voxels::Volume<float>&,
-                     const std::array<double, 3>&);
-template void smooth(const base::Communicator&, voxels::Volume<double>&,
-                     const std::array<double, 3>&);
+template <class T>
+void differentiate(const base::Communicator& communicator, voxels::Volume<T>& volume, int axis,
+                   const std::array<double, 3>& sigma) {
+  std::array<std::optional<LineFilter>, 3> filter;
+  for (std::size_t d = 0; d < 3; ++d) {
+    std::vector<double> weights =
+        gaussian_weights(std::min(sigma[d], mean_from * static_cast<double>(volume.size[d])));
+    if (d == static_cast<std::size_t>(axis)) weights = derivative_of(weights);
+    filter[d].emplace(std::move(weights));
+  }
+  apply(communicator, volume, filter);
+}
+
+template <class T>
+void average_inside(const base::Communicator& communicator, voxels::Volume<T>& volume,
+                    const std::array<double, 3>& sigma, const std::array<std::int64_t, 3>& margin) {
+  std::array<std::optional<LineFilter>, 3> filter;
+  for (std::size_t d = 0; d < 3; ++d)
+    filter[d].emplace(
+        gaussian_weights(std::min(sigma[d], mean_from * static_cast<double>(volume.size[d]))),
+        margin[d]);
+  apply(communicator, volume, filter);
+}
+
+#define STROMA_FILTERS_OF(T)                                                      \
+  template void smooth(const base::Communicator&, voxels::Volume<T>&,             \
+                       const std::array<double, 3>&);                             \
+  template void differentiate(const base::Communicator&, voxels::Volume<T>&, int, \
+                              const std::array<double, 3>&);                      \
+  template void average_inside(const base::Communicator&, voxels::Volume<T>&,     \
+                               const std::array<double, 3>&, const std::array<std::int64_t, 3>&)
+STROMA_FILTERS_OF(float);
+STROMA_FILTERS_OF(double);
+#undef STROMA_FILTERS_OF
 
 }  // namespace stroma::image

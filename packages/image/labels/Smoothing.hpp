@@ -34,4 +34,20 @@ template <class T>
 void smooth(const base::Communicator& communicator, voxels::Volume<T>& volume,
             const std::array<double, 3>& sigma);
 
+/// The derivative along an axis of the volume smoothed by a Gaussian [1/voxel]: along the axis with
+/// weights i exp(-i^2 / (2 sigma^2)), scaled such that a linear volume has its own; 0 at a face, where
+/// the volume continues as its mirror image. Collective.
+/// \param sigma  standard deviation along x, y, z [voxels], >= 0; 0 along the axis: the central
+///               difference
+template <class T>
+void differentiate(const base::Communicator& communicator, voxels::Volume<T>& volume, int axis,
+                   const std::array<double, 3>& sigma);
+
+/// The mean around each voxel, weighted by a Gaussian, of the voxels that lie inside and at least
+/// `margin` voxels off the faces. Collective.
+/// \pre margin within 4 sigma, and less than half the volume
+template <class T>
+void average_inside(const base::Communicator& communicator, voxels::Volume<T>& volume,
+                    const std::array<double, 3>& sigma, const std::array<std::int64_t, 3>& margin);
+
 }  // namespace stroma::image

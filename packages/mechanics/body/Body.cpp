@@ -8,6 +8,7 @@
 #include <string>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 #include "stroma/base/Stage.hpp"
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/grid/ToDevice.hpp"
@@ -33,14 +34,17 @@ void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
           "Problem::particle_half_edge of each layer of particles along each axis");
 }
 
-/// Refuses a field that no law would read. Collective: ranks without particles have none.
+/// Refuses numbers that no law would take, or too few of them. Collective: ranks without particles
+/// have none.
 void check_fields(const base::Communicator& communicator,
                   const particles::Particles<grid::Device>& particles,
                   const StressKernels& kernels) {
-  if (!kernels.read_shear_modulus() && communicator.any(particles.shear_modulus.extent(0) > 0))
-    throw base::InputError(
-        "the particles have shear moduli of their own, which the laws do not read; admissible: "
-        "LawList::vary, or laws of which all that vary have with_shear_modulus()");
+  const auto wanted = static_cast<std::size_t>(kernels.own_numbers());
+  if (communicator.any(particles.count() > 0 && particles.own_numbers.extent(1) != wanted))
+    throw base::InputError(base::format(
+        "the particles have %zu numbers of their own, and the laws take %zu; admissible: "
+        "Particles::own_numbers as material::AnyLaw::let_vary() says",
+        particles.own_numbers.extent(1), wanted));
 }
 
 /// The domains as kernels want them: one box if all are alike.
@@ -230,18 +234,13 @@ std::function<void(const Body::FieldVisitor&)> Body::field_layers(const grid::Ve
 }
 
 double Body::largest_strain(const grid::Vector& u) const {
-  const auto material =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.material);
-  const auto own =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.shear_modulus);
+  const particles::HostParticles particles = particles::on_host(particles_);
   double largest = 0.0;
   field_layers(u)([&](int first, const transfer::ParticleFields<Device>& fields) {
     const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
     for (std::size_t p = 0; p < stress.extent(0); ++p) {
-      const std::size_t n = static_cast<std::size_t>(first) + p;
-      material::SmallStrainModuli moduli = problem_.laws.moduli[material(n)];
-      if (own.extent(0) > 0) moduli = moduli.with_shear_modulus(own(n));
-      const double modulus = moduli.uniaxial_strain();
+      const int n = first + static_cast<int>(p);
+      const double modulus = stress_->moduli_of(particles, n).uniaxial_strain();
       for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(stress(p, c)) / modulus);
     }
   });

@@ -11,6 +11,7 @@
 
 #include "stroma/grid/Types.hpp"
 #include "stroma/material/AnyLaw.hpp"
+#include "stroma/particles/Fields.hpp"
 #include "stroma/shape/ShapeFunctions.hpp"
 #include "stroma/transfer/GridToParticles.hpp"
 #include "stroma/transfer/StencilRows.hpp"
@@ -34,8 +35,11 @@ class StressKernels {
   virtual int states() const = 0;
   /// Whether mean dilatation may average the laws' energies of volume: whether all have one.
   virtual bool may_be_averaged() const = 0;
-  /// Whether they ask for the particles' own shear modulus (Particles::shear_modulus).
-  virtual bool read_shear_modulus() const = 0;
+  /// Numbers that the laws take from particles (Particles::own_numbers); 0: none.
+  virtual int own_numbers() const = 0;
+  /// Of small strain, of a particle, by its material and what it has of its own.
+  virtual material::SmallStrainModuli moduli_of(const particles::HostParticles& particles,
+                                                int p) const = 0;
 
   /// transfer::InternalForce; force is added to.
   virtual std::int64_t internal_force(const Points& points, const NodeView& force) const = 0;
@@ -62,12 +66,11 @@ class StressKernels {
 /// The laws of all materials, of those that a deck may name.
 struct LawList {
   std::vector<material::AnyLaw> of_material;
-  bool vary = false;  ///< particles have a shear modulus of their own (Particles::shear_modulus)
   std::vector<material::FiberDirections> directions = {};  ///< those that laws point to
 };
 
 /// The kernels for a choice of shape functions, in space or in plane strain, and the laws of all
-/// materials. A body of neo-Hookean laws that do not vary has kernels of its own.
+/// materials. A body of neo-Hookean laws whose numbers do not vary has kernels of its own.
 std::shared_ptr<const StressKernels> stress_kernels(const LawList& laws,
                                                     shape::ShapeFunctions shape_functions,
                                                     bool flat);

@@ -21,17 +21,30 @@ class StressKernelsOf : public StressKernels {
  public:
   /// \param laws  of all materials
   explicit StressKernelsOf(const std::vector<Law>& laws)
-      : law_(grid::to_device("law", laws)),
+      : laws_(laws),
+        law_(grid::to_device("law", laws)),
         may_be_averaged_(std::all_of(laws.begin(), laws.end(), [](const Law& law) {
           return material::may_be_averaged(law);
         })) {
-    for (const Law& law : laws) states_ = std::max(states_, material::states_used(law));
+    for (const Law& law : laws) {
+      states_ = std::max(states_, material::states_used(law));
+      own_numbers_ = std::max(own_numbers_, material::numbers_taken(law));
+    }
   }
 
   int states() const override { return states_; }
   bool may_be_averaged() const override { return may_be_averaged_; }
-  bool read_shear_modulus() const override {
-    return material::is_asked_by_particle<Law> && material::may_vary_in_stiffness<Law>;
+  int own_numbers() const override { return own_numbers_; }
+  material::SmallStrainModuli moduli_of(const particles::HostParticles& particles,
+                                        int p) const override {
+    const Law& law = laws_[particles.material(p)];
+    if constexpr (material::takes_numbers<Law>)
+      if (particles.own_numbers.extent(1) != 0) {
+        Law own = law;
+        own.take(&particles.own_numbers(p, 0));
+        return own.small_strain();
+      }
+    return law.small_strain();
   }
   std::int64_t internal_force(const Points& points, const NodeView& force) const override {
     return launch("internal force", points,
@@ -79,9 +92,10 @@ class StressKernelsOf : public StressKernels {
     return transfer::for_each_element<Shape::width, grid::ExecutionSpace>(name, points.box, kernel);
   }
 
+  std::vector<Law> laws_;                 // of each material, for the host
   Kokkos::View<const Law*, Device> law_;  // of each material
   bool may_be_averaged_;
-  int states_ = 0;
+  int states_ = 0, own_numbers_ = 0;
 };
 
 /// The kernels of a shape for the laws that a deck may name: those of neo-Hookean laws alone, the
@@ -94,9 +108,9 @@ std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
   using material::NeoHookean;
   const std::vector<AnyLaw>& all = laws.of_material;
   const bool are_neo_hookean = std::all_of(all.begin(), all.end(), [](const AnyLaw& law) {
-    return law.is_matrix_alone() && law.matrix().is<NeoHookean>();
+    return law.is_matrix_alone() && law.own_numbers() == 0 && law.matrix().is<NeoHookean>();
   });
-  if (laws.vary || !are_neo_hookean) return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all);
+  if (!are_neo_hookean) return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all);
   std::vector<NeoHookean> alike;
   for (const AnyLaw& law : all) alike.push_back(law.matrix().as<NeoHookean>());
   return std::make_shared<StressKernelsOf<Shape, NeoHookean>>(alike);

@@ -52,9 +52,9 @@ Particles<grid::Device> scattered() {
       particles.base_gradient(p, d, 1) = static_cast<double>(particles.id(p)) + d;
     }
   begin_history(particles, 2);
-  allocate(particles.shear_modulus, "shear_modulus", static_cast<std::size_t>(particles.count()));
+  allocate(particles.own_numbers, "own_numbers", static_cast<std::size_t>(particles.count()), 2);
   for (int p = 0; p < particles.count(); ++p) {
-    particles.shear_modulus(p) = 0.5 * static_cast<double>(particles.id(p));
+    particles.own_numbers(p, 1) = 0.5 * static_cast<double>(particles.id(p));
     particles.history(p, 1) = -static_cast<double>(particles.id(p));
   }
   return particles;
@@ -88,7 +88,7 @@ TEST(Migration, EveryParticleArrivesWholeAtTheOwnerOfItsElement) {
       }
       EXPECT_EQ(after.material(p), 0);
       EXPECT_EQ(after.volume(p), 2.0 * 1.5 * 1.0 / 8.0);
-      EXPECT_EQ(after.shear_modulus(p), 0.5 * static_cast<double>(id));
+      EXPECT_EQ(after.own_numbers(p, 1), 0.5 * static_cast<double>(id));
       EXPECT_EQ(after.history(p, 0), 0.0);
       EXPECT_EQ(after.history(p, 1), -static_cast<double>(id));
       for (int d = 0; d < 3; ++d) {
@@ -127,7 +127,7 @@ TEST(Migration, ARankWithoutParticlesReceivesEveryField) {
   const auto after = migrate(all_ranks(), partition, back);
   EXPECT_EQ(all_ranks().sum(after.count()), all_ranks().sum(all.count()));
   for (int p = 0; p < after.count(); ++p) {
-    EXPECT_EQ(after.shear_modulus(p), 0.5 * static_cast<double>(after.id(p)));
+    EXPECT_EQ(after.own_numbers(p, 1), 0.5 * static_cast<double>(after.id(p)));
     EXPECT_EQ(after.history(p, 1), -static_cast<double>(after.id(p)));
     EXPECT_EQ(after.base_displacement(p, 1), way(after.id(p), 1));
   }

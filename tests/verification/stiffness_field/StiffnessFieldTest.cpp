@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// A shear modulus per particle: two stiffnesses as one material with a field equal two materials
+/// Moduli per particle: two stiffnesses as one material with a field equal two materials
 /// without, in force, tangent, results and with grid reset. Claims V-FIELD-1, V-FIELD-2,
 /// docs/verification.md.
 
@@ -23,6 +23,24 @@ base::Communicator world() { return base::Communicator::world(); }
 
 constexpr double soft = 520.8, stiff = 1041.6;
 
+/// The first two numbers of a law: its moduli.
+std::vector<double> moduli_in(material::AnyLaw law) {
+  std::vector<double> moduli;
+  law.for_each_number([&](const material::NumberName&, double& number) {
+    if (moduli.size() < 2) moduli.push_back(number);
+  });
+  return moduli;
+}
+
+/// All moduli in proportion.
+material::AnyLaw stiffened(material::AnyLaw law) {
+  int n = 0;
+  law.for_each_number([&](const material::NumberName&, double& number) {
+    if (n++ < 2) number *= stiff / soft;
+  });
+  return law;
+}
+
 /// One material of the law, whose particles are soft or, in the bars, stiff.
 struct Body {
   test::Specimen specimen;
@@ -40,21 +58,26 @@ struct Body {
 
 Body with_two_materials(const test::Specimen& specimen, const material::AnyLaw& law) {
   Body body{specimen, specimen.particles(world()), specimen.problem()};
-  body.problem.laws = LawList{{law, law.with_shear_modulus(stiff)}};
+  body.problem.laws = LawList{{law, stiffened(law)}};
   return body;
 }
 
 Body with_a_field(const test::Specimen& specimen, const material::AnyLaw& law) {
   Body body = with_two_materials(specimen, law);
   auto& particles = body.particles;
-  particles::allocate(particles.shear_modulus, "shear_modulus",
-                      static_cast<std::size_t>(particles.count()));
+  particles::allocate(particles.own_numbers, "own_numbers",
+                      static_cast<std::size_t>(particles.count()), 2);
+  const std::vector<double> of_soft = moduli_in(law), of_stiff = moduli_in(stiffened(law));
   for (int p = 0; p < particles.count(); ++p) {
-    particles.shear_modulus(p) = particles.material(p) == 1 ? stiff : soft;
+    for (int n = 0; n < 2; ++n)
+      particles.own_numbers(p, n) =
+          (particles.material(p) == 1 ? of_stiff : of_soft)[static_cast<std::size_t>(n)];
     particles.material(p) = 0;
   }
-  body.problem.laws = LawList{{law}, true};
-  body.problem.laws.extremes = {law.small_strain(), law.with_shear_modulus(stiff).small_strain()};
+  material::AnyLaw varying = law;
+  varying.let_vary({0, 1});
+  body.problem.laws = LawList{{varying}};
+  body.problem.laws.extremes = {law.small_strain(), stiffened(law).small_strain()};
   return body;
 }
 
@@ -142,8 +165,8 @@ TEST(StiffnessField, MovesWithItsParticles) {
     });
     const auto& particles = body.balance().body().particles();
     for (int p = 0; p < particles.count(); ++p)
-      if (particles.shear_modulus.extent(0) > 0) {
-        EXPECT_TRUE(particles.shear_modulus(p) == soft || particles.shear_modulus(p) == stiff);
+      if (particles.own_numbers.extent(0) > 0) {
+        EXPECT_TRUE(particles.own_numbers(p, 0) == soft || particles.own_numbers(p, 0) == stiff);
       }
     return forces;
   };

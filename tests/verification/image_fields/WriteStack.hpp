@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// Small image stacks for fields, as files.
+
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "support/Program.hpp"
+
+namespace stroma::test {
+
+/// Writes NAME.mhd and NAME.raw with intensity(i, j, k) at each voxel, as bytes or as floats.
+template <class Value, class Intensity>
+void write_stack(const TemporaryFolder& folder, const std::string& name,
+                 const std::array<int, 3>& size, const Intensity& intensity) {
+  const char* type = sizeof(Value) == 1 ? "MET_UCHAR" : "MET_FLOAT";
+  folder.write(name + ".mhd",
+               "ObjectType = Image\nNDims = 3\nDimSize = " + std::to_string(size[0]) + " " +
+                   std::to_string(size[1]) + " " + std::to_string(size[2]) + "\nElementType = " +
+                   type + "\nElementByteOrderMSB = False\nElementDataFile = " + name + ".raw\n");
+  std::string bytes;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i) {
+        const auto value = static_cast<Value>(intensity(i, j, k));
+        char raw[sizeof(Value)];
+        std::memcpy(raw, &value, sizeof(Value));
+        bytes.append(raw, sizeof(Value));
+      }
+  folder.write(name + ".raw", bytes);
+}
+
+}  // namespace stroma::test
