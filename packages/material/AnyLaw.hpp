@@ -104,18 +104,13 @@ class AnyLaw {
         ratio_ * law_.kirchhoff_stress(elastic(H), elastic(log_j), before_growth(volume));
     return active_factor_ == 0.0 ? tau : tau + active_stress(H);
   }
-  /// The active stress adds to the geometric part alone.
+  /// The active stress adds nothing to c: its second Piola-Kirchhoff stress is constant.
   KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
                                              const VolumetricStress& volume) const {
     FullTangent result = law_.tangent(elastic(H), elastic(log_j), before_growth(volume));
     if (ratio_ == 1.0 && active_factor_ == 0.0) return result;
-    const Tensor3 added = active_stress(H);
-    result.tau = ratio_ * result.tau + added;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l)
-            result.a(i, j, k, l) = ratio_ * result.a(i, j, k, l) + (i == k) * added(j, l);
+    result.tau = ratio_ * result.tau + active_stress(H);
+    result.c.scale(ratio_);
     return result;
   }
 

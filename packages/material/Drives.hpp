@@ -21,14 +21,6 @@ struct MaterialFactors {
 template <class Law>
 KOKKOS_INLINE_FUNCTION void drive(Law&, const MaterialFactors&) {}
 
-/// u (x) u of a unit vector.
-KOKKOS_INLINE_FUNCTION Tensor3 square_of(const double u[3]) {
-  Tensor3 square;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) square(i, j) = u[i] * u[j];
-  return square;
-}
-
 /// A constant second Piola-Kirchhoff stress S = T0 A, T0 > 0 contracts: A = I (isotropic), N x N
 /// (fiber) or I - N x N (transverse). So the Kirchhoff stress is T0 b, T0 n x n with n = F N, or
 /// T0 (b - n x n).
@@ -40,7 +32,7 @@ struct ActiveStress {
   double direction[3] = {0.0, 0.0, 1.0};  ///< N, a unit vector
 
   KOKKOS_INLINE_FUNCTION Tensor3 second_piola() const {
-    const Tensor3 along = square_of(direction), all = tensor::identity();
+    const Tensor3 along = tensor::square_of(direction), all = tensor::identity();
     return t0 * (kind == Kind::isotropic ? all : kind == Kind::fiber ? along : all - along);
   }
 };
@@ -66,7 +58,7 @@ struct Growth {
     const double third = expm1(-log(g) / 3.0), half = expm1(-0.5 * log(g));
     const double a = kind == Kind::volume ? third : kind == Kind::area ? half : 0.0;
     const double b = kind == Kind::volume ? 0.0 : kind == Kind::area ? -half : 1.0 / g - 1.0;
-    const Tensor3 added = a * tensor::identity() + b * square_of(direction);
+    const Tensor3 added = a * tensor::identity() + b * tensor::square_of(direction);
     return H + added + H * added;
   }
 };

@@ -69,17 +69,13 @@ struct HolmesMow {
     const Tensor3 b = tensor::identity() + tensor::left_cauchy_green_minus_identity(H);
     const double lambda = lame_modulus, modulus = lambda + 2.0 * shear_modulus;
     const double factor = exp(q(H)), of_s = 4.0 * exponent / (modulus * factor);
-    IsotropicTangent simple{s, {}, volume.modulus, 0.5 * factor * modulus - volume.pressure};
-    for (int i = 0; i < 3; ++i) simple.tau(i, i) += volume.pressure;
-    FullTangent result(simple);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l)
-            result.a(i, j, k, l) +=
-                factor * lambda *
-                    (b(i, j) * b(k, l) - 0.5 * (b(i, k) * b(j, l) + b(i, l) * b(j, k))) +
-                of_s * s(i, j) * s(k, l);
+    FullTangent result;
+    result.tau = s;
+    for (int i = 0; i < 3; ++i) result.tau(i, i) += volume.pressure;
+    result.c.add_isotropic(volume.modulus, 0.5 * factor * modulus - volume.pressure, {});
+    result.c.add_dyad(factor * lambda, b);
+    result.c.add_square(-factor * lambda, b);
+    result.c.add_dyad(of_s, s);
     return result;
   }
 

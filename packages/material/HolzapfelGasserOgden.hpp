@@ -95,18 +95,11 @@ struct HolzapfelGasserOgden : Uncoupled {
       const Family family(*this, f, H, log_j, x);
       if (!(family.e > 0.0)) continue;
       const Tensor3 dev_h = structure(family, dev_b);
-      IsotropicTangent projected;
-      projected.s = projected.tau = (2.0 * family.slope) * dev_h;
-      projected.symmetric = 2.0 / 3.0 * family.slope * (1.0 + family.e);
-      projected.volumetric = -2.0 / 3.0 * projected.symmetric;
-      const Tensor4 a = projected.in_full();
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          for (int k = 0; k < 3; ++k)
-            for (int l = 0; l < 3; ++l)
-              result.a(i, j, k, l) +=
-                  a(i, j, k, l) + 4.0 * family.curvature * dev_h(i, j) * dev_h(k, l);
-      result.tau = result.tau + projected.tau;
+      const Tensor3 s = (2.0 * family.slope) * dev_h;
+      const double symmetric = 2.0 / 3.0 * family.slope * (1.0 + family.e);
+      result.c.add_isotropic(-2.0 / 3.0 * symmetric, symmetric, s);
+      result.c.add_dyad(4.0 * family.curvature, dev_h);
+      result.tau = result.tau + s;
     }
     return result;
   }

@@ -73,26 +73,17 @@ KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& 
                                                          const IsochoricLeftCauchyGreen& bbar,
                                                          const VolumetricStress& volume) {
   const Tensor3 b = bbar.value();
-  const Tensor3 b2 = b * b, dev_b = tensor::deviator(b);
+  const Tensor3 b2 = b * b;
   const double i1 = tensor::trace(b), tr_b2 = tensor::trace(b2);
   const double traces = 2.0 * slope.first * i1 + 2.0 * slope.second * (i1 * i1 - tr_b2);
-  IsotropicTangent simple;
-  simple.tau = kirchhoff_stress_of_invariants(slope, bbar, volume);
-  simple.s = tensor::deviator(simple.tau);
-  simple.volumetric = volume.modulus - 2.0 / 9.0 * traces;
-  simple.symmetric = traces / 3.0 - volume.pressure;
-  FullTangent result(simple);
-  const double of_dev_b = 4.0 * (slope.first_first + slope.second);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l) {
-          const double ij = i == j, kl = k == l;
-          const double projected = 0.5 * (b(i, k) * b(j, l) + b(i, l) * b(j, k)) -
-                                   (b2(i, j) * kl + ij * b2(k, l)) / 3.0 + tr_b2 / 9.0 * ij * kl;
-          result.a(i, j, k, l) +=
-              of_dev_b * dev_b(i, j) * dev_b(k, l) - 4.0 * slope.second * projected;
-        }
+  FullTangent result;
+  result.tau = kirchhoff_stress_of_invariants(slope, bbar, volume);
+  // s of the isotropic part, with P : (b (.) b) : P - b (.) b, which is of its form
+  const Tensor3 s = tensor::deviator(result.tau) - (2.0 * slope.second) * b2;
+  result.c.add_isotropic(volume.modulus - 2.0 / 9.0 * traces - 4.0 / 9.0 * slope.second * tr_b2,
+                         traces / 3.0 - volume.pressure, s);
+  result.c.add_dyad(4.0 * (slope.first_first + slope.second), tensor::deviator(b));
+  if (slope.second != 0.0) result.c.add_square(-4.0 * slope.second, b);
   return result;
 }
 

@@ -74,28 +74,20 @@ struct Ogden : Uncoupled {
     const Slopes h(*this, at);
     const double q = volume.pressure - h.mean();
     const double mean_rate = (h.rate[0] + h.rate[1] + h.rate[2]) / 3.0;
-    double normal[3][3], shear[3][3];
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) {
-        normal[a][b] = volume.modulus - (h.rate[a] + h.rate[b] - mean_rate) / 3.0;
-        shear[a][b] = 0.0;
-        if (a == b) normal[a][b] += h.rate[a] - 2.0 * (h.value[a] + q);
-        if (a != b) shear[a][b] = divided_difference(at, a, b) - h.value[b] - q;
-      }
     FullTangent result;
     result.tau = at.tensor_of({h.value[0] + q, h.value[1] + q, h.value[2] + q});
-    const Tensor3& n = at.axes;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l) {
-            double sum = (i == k) * result.tau(j, l);
-            for (int a = 0; a < 3; ++a)
-              for (int b = 0; b < 3; ++b)
-                sum += normal[a][b] * n(i, a) * n(j, a) * n(k, b) * n(l, b) +
-                       shear[a][b] * n(i, a) * n(j, b) * (n(k, a) * n(l, b) + n(k, b) * n(l, a));
-            result.a(i, j, k, l) = sum;
-          }
+    for (int a = 0; a < 3; ++a) {
+      const Tensor3 aa = at.dyad(a, a);
+      result.c.add_dyad(volume.modulus + (h.rate[a] + mean_rate) / 3.0 - 2.0 * (h.value[a] + q),
+                        aa);
+      for (int b = a + 1; b < 3; ++b) {
+        result.c.add_dyads(volume.modulus - (h.rate[a] + h.rate[b] - mean_rate) / 3.0, aa,
+                           at.dyad(b, b));
+        const Tensor3 ab = at.dyad(a, b);
+        result.c.add_dyad(divided_difference(at, a, b) - h.value[b] - q,
+                          ab + tensor::transpose(ab));
+      }
+    }
     return result;
   }
 
@@ -114,6 +106,13 @@ struct Ogden : Uncoupled {
         log[a] = 0.5 * log1p(e.value[a]);
         x[a] = log[a] - log_j / 3.0;
       }
+    }
+    /// n_a x n_b.
+    KOKKOS_INLINE_FUNCTION Tensor3 dyad(int a, int b) const {
+      Tensor3 result;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) result(i, j) = axes(i, a) * axes(j, b);
+      return result;
     }
     /// sum_a value_a n_a x n_a.
     KOKKOS_INLINE_FUNCTION Tensor3 tensor_of(const tensor::PrincipalValues& value) const {

@@ -15,12 +15,11 @@ namespace stroma::material {
 /// Fibres of one law, in one direction or several.
 struct FiberFamily {
   AnyFiberLaw law;
-  /// The single direction; or, of several, the axis onto which their z axis is turned, if they are,
-  /// and the factor of their weights.
-  FiberDirection own{{0.0, 0.0, 1.0}, 1.0};
   const FiberDirection* directions = nullptr;  ///< `count` of them; whoever made it keeps them
   int count = 0;
-  bool are_turned = false;
+  bool are_turned = false;  ///< their z axis onto the direction `own`
+  /// The only direction, where there are no others, and a factor of all weights.
+  FiberDirection own{{0.0, 0.0, 1.0}, 1.0};
 
   /// f(direction) for each of them. The turn is a reflection, which fibres do not tell from one:
   /// n - 2 v (v.n) / v.v, v = e_z - N.
@@ -111,41 +110,20 @@ class Reinforced {
                                                   const VolumetricStress& volume) const {
     Tensor3 tau = matrix_.kirchhoff_stress(H, log_j, volume);
     for_each_fiber(H, [&](const double m[3], double weight, const FiberResponse& psi) {
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) tau(i, j) += 2.0 * weight * psi.slope * m[i] * m[j];
+      tau = tau + (2.0 * weight * psi.slope) * tensor::square_of(m);
     });
     return tau;
   }
 
-  /// c = c_matrix + sum weight 4 psi'' m x m x m x m. The sum is symmetric in all subscripts: its
-  /// 15 numbers belong to the powers x^a y^b z^c of degree 4.
+  /// c = c_matrix + sum weight 4 psi'' m x m x m x m.
   KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
                                              const VolumetricStress& volume) const {
     FullTangent result = matrix_.tangent(H, log_j, volume);
-    if (families_ == 0) return result;
-    Tensor3 tau;
-    double of_power[5][5] = {};  // [a][b], c = 4 - a - b
     for_each_fiber(H, [&](const double m[3], double weight, const FiberResponse& psi) {
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) tau(i, j) += 2.0 * weight * psi.slope * m[i] * m[j];
-      double power[3][5];
-      for (int d = 0; d < 3; ++d) {
-        power[d][0] = 1.0;
-        for (int n = 1; n <= 4; ++n) power[d][n] = power[d][n - 1] * m[d];
-      }
-      const double factor = 4.0 * weight * psi.curvature;
-      for (int a = 0; a <= 4; ++a)
-        for (int b = 0; a + b <= 4; ++b)
-          of_power[a][b] += factor * power[0][a] * power[1][b] * power[2][4 - a - b];
+      const Tensor3 mm = tensor::square_of(m);
+      result.tau = result.tau + (2.0 * weight * psi.slope) * mm;
+      result.c.add_dyad(4.0 * weight * psi.curvature, mm);
     });
-    result.tau = result.tau + tau;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l)
-            result.a(i, j, k, l) += of_power[(i == 0) + (j == 0) + (k == 0) + (l == 0)]
-                                            [(i == 1) + (j == 1) + (k == 1) + (l == 1)] +
-                                    (i == k) * tau(j, l);
     return result;
   }
 
@@ -155,10 +133,12 @@ class Reinforced {
   KOKKOS_INLINE_FUNCTION void for_each_fiber(const Tensor3& H, const F& f) const {
     for (int family = 0; family < families_; ++family) {
       const FiberFamily& fibers = family_[family];
-      fibers.for_each_direction([&](const FiberDirection& direction) {
-        const StretchedFiber fiber(H, direction.n);
-        f(fiber.m, direction.weight,
-          fibers.law.visit([&](const auto& law) { return law.at(fiber.x); }));
+      fibers.law.visit([&](const auto& law) {
+        fibers.for_each_direction([&](const FiberDirection& direction) {
+          const StretchedFiber fiber(H, direction.n);
+          f(fiber.m, direction.weight, law.at(fiber.x));
+        });
+        return 0;
       });
     }
   }

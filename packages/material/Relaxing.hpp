@@ -84,25 +84,14 @@ class Relaxing {
                                              const VolumetricStress& volume) const {
     FullTangent result = law_.tangent(H, log_j, volume);
     if (!relaxes()) return result;
-    const Tensor3 elastic = result.tau;
     const double k = viscosity_.factor(time_step_);
     const Tensor3 q = memory(H, log_j);
-    result.tau = relaxed(elastic, k, q);
-    IsotropicTangent added{{}, {}, 0.0, 0.0};
-    if (viscosity_.is_deviatoric) {
-      added.s = tensor::deviator(q);
-      added.symmetric = tensor::trace(q) / 3.0 + (k - 1.0) * volume.pressure;
-      added.volumetric = -2.0 / 9.0 * tensor::trace(q) - (k - 1.0) * volume.modulus;
-    }
-    const Tensor4 more = added.in_full();
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int l = 0; l < 3; ++l)
-          for (int m = 0; m < 3; ++m) {
-            const double geometric = (i == l) * elastic(j, m);
-            result.a(i, j, l, m) = k * (result.a(i, j, l, m) - geometric) + more(i, j, l, m) +
-                                   (i == l) * result.tau(j, m);
-          }
+    result.tau = relaxed(result.tau, k, q);
+    result.c.scale(k);
+    if (viscosity_.is_deviatoric)
+      result.c.add_isotropic(-2.0 / 9.0 * tensor::trace(q) - (k - 1.0) * volume.modulus,
+                             tensor::trace(q) / 3.0 + (k - 1.0) * volume.pressure,
+                             tensor::deviator(q));
     return result;
   }
 

@@ -54,23 +54,83 @@ struct IsotropicTangent {
   }
 };
 
+/// A tensor of fourth order with both minor symmetries and the major one, c_ijkl = c_jikl = c_klij: 21
+/// numbers. Pairs of subscripts are counted xx, yy, zz, xy, yz, zx.
+struct Elasticity {
+  double value[6][6] = {};  ///< (pair, pair), the first no greater than the second; else 0
+
+  static constexpr int first[6] = {0, 1, 2, 0, 1, 2}, second[6] = {0, 1, 2, 1, 2, 0};
+  KOKKOS_INLINE_FUNCTION static constexpr int pair(int i, int j) {
+    return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5;
+  }
+  /// c_ijkl of pair(i, j) and pair(k, l).
+  KOKKOS_INLINE_FUNCTION double operator()(int ij, int kl) const {
+    return ij <= kl ? value[ij][kl] : value[kl][ij];
+  }
+
+  /// f A x A, of a symmetric A.
+  KOKKOS_INLINE_FUNCTION void add_dyad(double f, const Tensor3& A) {
+    for_each([&](int i, int j, int k, int l) { return f * A(i, j) * A(k, l); });
+  }
+  /// f (A x B + B x A), of symmetric A and B.
+  KOKKOS_INLINE_FUNCTION void add_dyads(double f, const Tensor3& A, const Tensor3& B) {
+    for_each(
+        [&](int i, int j, int k, int l) { return f * (A(i, j) * B(k, l) + B(i, j) * A(k, l)); });
+  }
+  /// f A (.) A, (A (.) A)_ijkl = (A_ik A_jl + A_il A_jk) / 2, of a symmetric A.
+  KOKKOS_INLINE_FUNCTION void add_square(double f, const Tensor3& A) {
+    for_each([&](int i, int j, int k, int l) {
+      return 0.5 * f * (A(i, k) * A(j, l) + A(i, l) * A(j, k));
+    });
+  }
+  /// vol I x I + 2 sym I4 - 2/3 (s x I + I x s): IsotropicTangent without its geometric part.
+  KOKKOS_INLINE_FUNCTION void add_isotropic(double volumetric, double symmetric, const Tensor3& s) {
+    for (int d = 0; d < 3; ++d)
+      for (int e = d; e < 6; ++e)
+        value[d][e] +=
+            (e < 3 ? volumetric - 2.0 / 3.0 * s(d, d) : 0.0) - 2.0 / 3.0 * s(first[e], second[e]);
+    for (int d = 0; d < 6; ++d) value[d][d] += d < 3 ? 2.0 * symmetric : symmetric;
+  }
+  KOKKOS_INLINE_FUNCTION void scale(double f) {
+    for (auto& row : value)
+      for (double& number : row) number *= f;
+  }
+
+ private:
+  template <class F>
+  KOKKOS_INLINE_FUNCTION void for_each(const F& f) {
+    for (int ij = 0; ij < 6; ++ij)
+      for (int kl = ij; kl < 6; ++kl)
+        value[ij][kl] += f(first[ij], second[ij], first[kl], second[kl]);
+  }
+};
+
 /// Stress and spatial tangent of any law, all in [Pa]:
 ///
-///     a_ijkl = c_ijkl + d_ik tau_jl
-///
-/// with c the spatial elasticity tensor of the Kirchhoff stress; it has both minor symmetries.
+///     a_ijkl = c_ijkl + d_ik tau_jl.
 struct FullTangent {
-  Tensor3 tau;  ///< Kirchhoff stress
-  Tensor4 a;    ///< geometric part included
+  Tensor3 tau;   ///< Kirchhoff stress
+  Elasticity c;  ///< of the Kirchhoff stress, in space
 
   FullTangent() = default;
-  KOKKOS_INLINE_FUNCTION FullTangent(const IsotropicTangent& isotropic)
-      : tau(isotropic.tau), a(isotropic.in_full()) {}
+  KOKKOS_INLINE_FUNCTION FullTangent(const IsotropicTangent& isotropic) : tau(isotropic.tau) {
+    c.add_isotropic(isotropic.volumetric, isotropic.symmetric, isotropic.s);
+  }
 
   KOKKOS_INLINE_FUNCTION static FullTangent of_volume(double modulus) {
     return IsotropicTangent::of_volume(modulus);
   }
-  KOKKOS_INLINE_FUNCTION Tensor4 in_full() const { return a; }
+  /// a_ijkl in full.
+  KOKKOS_INLINE_FUNCTION Tensor4 in_full() const {
+    Tensor4 a;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l)
+            a(i, j, k, l) =
+                c(Elasticity::pair(i, j), Elasticity::pair(k, l)) + (i == k) * tau(j, l);
+    return a;
+  }
 };
 
 }  // namespace stroma::material

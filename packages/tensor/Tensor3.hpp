@@ -22,6 +22,14 @@ struct Tensor3 {
 
 KOKKOS_INLINE_FUNCTION Tensor3 identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
+/// u x u.
+KOKKOS_INLINE_FUNCTION Tensor3 square_of(const double u[3]) {
+  Tensor3 square;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) square(i, j) = u[i] * u[j];
+  return square;
+}
+
 KOKKOS_INLINE_FUNCTION Tensor3 operator+(const Tensor3& a, const Tensor3& b) {
   Tensor3 sum;
   for (int i = 0; i < 3; ++i)

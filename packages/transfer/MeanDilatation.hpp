@@ -86,8 +86,7 @@ KOKKOS_FUNCTION MeanPressure mean_pressure(const ElementParticles<Shape, Device>
   const int element = elements.box.element(i, j, k);
   for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
     const material::VolumetricStress stress =
-        law_at<Law, Device>(law, elements, p)
-            .stress_of_volume(log_mean_jacobian(elements, mean, p));
+        LawAt<Law>(law, elements, p)->stress_of_volume(log_mean_jacobian(elements, mean, p));
     result.pressure += particles.volume(p) * stress.pressure;
     result.slope += particles.volume(p) * (stress.modulus - stress.pressure);
   }
@@ -112,12 +111,12 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const auto& material = law_at<Law, Device>(law, elements, point);
+    const LawAt<Law> material(law, elements, point);
     const double log_j = material::log_jacobian(point.H);
     visit(point,
-          material.kirchhoff_stress(point.H, log_j,
-                                    mean.holds_for(point) ? share_of(pressure, log_j)
-                                                          : material.stress_of_volume(log_j)));
+          material->kirchhoff_stress(point.H, log_j,
+                                     mean.holds_for(point) ? share_of(pressure, log_j)
+                                                           : material->stress_of_volume(log_j)));
   });
 }
 
@@ -133,7 +132,7 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   ParticlePoint<Shape> whole = {};
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const auto& material = law_at<Law, Device>(law, elements, point);
+    const LawAt<Law> material(law, elements, point);
     const double log_j = material::log_jacobian(point.H);
     material::VolumetricStress volume;
     if (mean.holds_for(point)) {
@@ -142,9 +141,9 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a) whole.gradient[c][a] += now * point.gradient[c][a];
     } else {
-      volume = material.stress_of_volume(log_j);
+      volume = material->stress_of_volume(log_j);
     }
-    visit(point, material.tangent(point.H, log_j, volume));
+    visit(point, material->tangent(point.H, log_j, volume));
   });
   if (!mean.is_on) return;
   whole.p = no_particle;

@@ -22,10 +22,10 @@ struct UpdateHistory {
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       const double log_j = material::log_jacobian(point.H);
       double next[material::states_of<Law>] = {};
-      law_at<Law, Device>(law, elements, point)
-          .new_state(point.H, log_j,
-                     mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j,
-                     next);
+      LawAt<Law>(law, elements, point)
+          ->new_state(point.H, log_j,
+                      mean.holds_for(point) ? log_mean_jacobian(elements, mean, point.p) : log_j,
+                      next);
       const auto numbers = static_cast<int>(elements.particles.history.extent(1));
       for (int n = 0; n < numbers; ++n) elements.particles.history(point.p, n) = next[n];
     });

@@ -39,7 +39,7 @@ constexpr ActiveStress::Kind actives[] = {ActiveStress::Kind::isotropic, ActiveS
 
 /// F_g as it is written.
 Tensor3 grown(Growth::Kind kind, double g) {
-  const Tensor3 along = square_of(N), all = identity();
+  const Tensor3 along = tensor::square_of(N), all = identity();
   if (kind == Growth::Kind::volume) return std::cbrt(g) * all;
   if (kind == Growth::Kind::fiber) return all + (g - 1.0) * along;
   return std::sqrt(g) * (all - along) + along;
@@ -97,7 +97,7 @@ TEST(ActiveStress, IsItsTensionAtRest) {
     AnyLaw law = NeoHookean{520.8, 2430.4};
     law.set_active_stress({200.0, kind, {N[0], N[1], N[2]}});
     law.drive({0.5, 0.0});
-    const Tensor3 tau = kirchhoff_stress(law, Tensor3{}), along = square_of(N);
+    const Tensor3 tau = kirchhoff_stress(law, Tensor3{}), along = tensor::square_of(N);
     const Tensor3 expected = 100.0 * (kind == ActiveStress::Kind::isotropic ? identity()
                                       : kind == ActiveStress::Kind::fiber   ? along
                                                                             : identity() - along);
@@ -111,7 +111,7 @@ TEST(ActiveStress, MovesWithTheBody) {
     law.set_active_stress({200.0, kind, {N[0], N[1], N[2]}});
     law.drive({1.0, 0.0});
     const Tensor3 F = identity() + H, b = F * transpose(F);
-    const Tensor3 n = F * square_of(N) * transpose(F);
+    const Tensor3 n = F * tensor::square_of(N) * transpose(F);
     const Tensor3 expected = 200.0 * (kind == ActiveStress::Kind::isotropic ? b
                                       : kind == ActiveStress::Kind::fiber   ? n
                                                                             : b - n);

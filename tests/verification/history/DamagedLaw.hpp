@@ -70,10 +70,7 @@ struct DamagedLaw {
     Tangent result(t);
     if (!(shape_energy(H) > state[0])) return result;
     const double slope = -most / scale * exp(-m / scale);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l) result.a(i, j, k, l) += slope * s(i, j) * s(k, l);
+    result.c.add_dyad(slope, s);
     return result;
   }
 };

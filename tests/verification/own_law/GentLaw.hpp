@@ -62,10 +62,7 @@ struct GentLaw {
     const double m = 2.0 * w1 * factor * (1.0 + tensor::trace(b_minus_identity) / 3.0);
     Tangent result(material::IsotropicTangent{kirchhoff_stress(H, log_j, volume), 2.0 * w1 * dev_b,
                                               volume.modulus - 2.0 / 3.0 * m, m - volume.pressure});
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l) result.a(i, j, k, l) += 4.0 * w11 * dev_b(i, j) * dev_b(k, l);
+    result.c.add_dyad(4.0 * w11, dev_b);
     return result;
   }
 };
