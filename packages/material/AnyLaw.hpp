@@ -73,6 +73,7 @@ class AnyLaw {
   KOKKOS_INLINE_FUNCTION void take(const double* own) {
     for (int n = 0; n < own_numbers_; ++n)
       *reinterpret_cast<double*>(reinterpret_cast<char*>(this) + own_[n]) = own[n];
+    law_.forget_step();
   }
   bool may_be_averaged() const { return law_.may_be_averaged(); }
   KOKKOS_INLINE_FUNCTION void recall(const double* history, double time_step) {

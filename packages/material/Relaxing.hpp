@@ -48,13 +48,15 @@ class Relaxing {
   /// \param time_step  length of the step [s]
   KOKKOS_INLINE_FUNCTION void recall(const double* history, double time_step) {
     history_ = history;
-    time_step_ = time_step;
+    if (viscosity_.prepared_for != time_step) viscosity_.prepare(time_step);
   }
+  /// To be called where numbers have been changed.
+  KOKKOS_INLINE_FUNCTION void forget_step() { viscosity_.prepared_for = -1.0; }
   KOKKOS_INLINE_FUNCTION void new_state(const Tensor3& H, double log_j, double log_of_volume,
                                         double* next) const {
     if (!relaxes()) return;
     const Tensor3 tau = law_.kirchhoff_stress(H, log_j, law_.stress_of_volume(log_of_volume));
-    viscosity_.advance(history_, time_step_, pulled_back(tau, H, log_j), next);
+    viscosity_.advance(history_, pulled_back(tau, H, log_j), next);
   }
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
     return law_.energy_of_volume(log_j);
@@ -72,7 +74,7 @@ class Relaxing {
   KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
                                                   const VolumetricStress& volume) const {
     const Tensor3 tau = law_.kirchhoff_stress(H, log_j, volume);
-    return relaxes() ? relaxed(tau, viscosity_.factor(time_step_), memory(H, log_j)) : tau;
+    return relaxes() ? relaxed(tau, viscosity_.factor, memory(H, log_j)) : tau;
   }
 
   /// With viscosity c = k c_e; or, of the deviatoric part alone of a law whose W1 is isochoric, with
@@ -84,7 +86,7 @@ class Relaxing {
                                              const VolumetricStress& volume) const {
     FullTangent result = law_.tangent(H, log_j, volume);
     if (!relaxes()) return result;
-    const double k = viscosity_.factor(time_step_);
+    const double k = viscosity_.factor;
     const Tensor3 q = memory(H, log_j);
     result.tau = relaxed(result.tau, k, q);
     result.c.scale(k);
@@ -114,7 +116,7 @@ class Relaxing {
   /// F Q F^T.
   KOKKOS_INLINE_FUNCTION Tensor3 memory(const Tensor3& H, double log_j) const {
     const Tensor3 F = carrier(H, log_j);
-    return F * viscosity_.memory(history_, time_step_) * tensor::transpose(F);
+    return F * viscosity_.memory(history_) * tensor::transpose(F);
   }
   KOKKOS_INLINE_FUNCTION Tensor3 relaxed(const Tensor3& tau, double k, const Tensor3& q) const {
     return viscosity_.is_deviatoric ? tau + (k - 1.0) * tensor::deviator(tau) + tensor::deviator(q)
@@ -124,7 +126,6 @@ class Relaxing {
   Reinforced law_;
   Viscosity viscosity_;
   const double* history_ = nullptr;
-  double time_step_ = 0.0;
 };
 
 }  // namespace stroma::material

@@ -34,33 +34,39 @@ struct Viscosity {
   double time[most_terms] = {};     ///< t_i [s], > 0
   bool is_deviatoric = false;
 
+  double decay[most_terms] = {}, mean[most_terms] = {};  ///< a_i, b_i [-] of a step
+  double factor = 1.0;                                   ///< k [-] of a step
+  double prepared_for = -1.0;                            ///< the step's length [s]; < 0: none
+
   KOKKOS_INLINE_FUNCTION int states() const { return terms == 0 ? 0 : 6 * (1 + terms); }
 
-  /// k at a step of length dt [s]; at dt = 0 the modulus of a sudden load, G0 + sum g_i.
-  KOKKOS_INLINE_FUNCTION double factor(double dt) const {
-    double k = long_term;
-    for (int i = 0; i < terms; ++i) k += modulus[i] * mean_decay(dt / time[i]);
-    return k;
+  /// What follows from the length of a step alone: a_i, b_i and k; at dt = 0 k is the modulus of a
+  /// sudden load, G0 + sum g_i.
+  KOKKOS_INLINE_FUNCTION void prepare(double dt) {
+    factor = long_term;
+    for (int i = 0; i < terms; ++i) {
+      decay[i] = exp(-dt / time[i]);
+      mean[i] = mean_decay(dt / time[i]);
+      factor += modulus[i] * mean[i];
+    }
+    prepared_for = dt;
   }
-  /// Q, by the history of a particle.
-  KOKKOS_INLINE_FUNCTION Tensor3 memory(const double* history, double dt) const {
+  /// Q, by the history of a particle. \pre prepare()
+  KOKKOS_INLINE_FUNCTION Tensor3 memory(const double* history) const {
     double sum[6] = {};
     for (int i = 0; i < terms; ++i) {
-      const double a = exp(-dt / time[i]), b = mean_decay(dt / time[i]);
-      for (int c = 0; c < 6; ++c)
-        sum[c] += modulus[i] * (a * history[6 * (1 + i) + c] - b * history[c]);
+      const double a = modulus[i] * decay[i], b = modulus[i] * mean[i];
+      for (int c = 0; c < 6; ++c) sum[c] += a * history[6 * (1 + i) + c] - b * history[c];
     }
     return {{{sum[0], sum[3], sum[5]}, {sum[3], sum[1], sum[4]}, {sum[5], sum[4], sum[2]}}};
   }
-  /// The history after a step that ends with S_e.
-  KOKKOS_INLINE_FUNCTION void advance(const double* history, double dt, const Tensor3& S,
-                                      double* next) const {
+  /// The history after a step that ends with S_e. \pre prepare()
+  KOKKOS_INLINE_FUNCTION void advance(const double* history, const Tensor3& S, double* next) const {
     const double now[6] = {S(0, 0), S(1, 1), S(2, 2), S(0, 1), S(1, 2), S(2, 0)};
-    for (int i = 0; i < terms; ++i) {
-      const double a = exp(-dt / time[i]), b = mean_decay(dt / time[i]);
+    for (int i = 0; i < terms; ++i)
       for (int c = 0; c < 6; ++c)
-        next[6 * (1 + i) + c] = a * history[6 * (1 + i) + c] + b * (now[c] - history[c]);
-    }
+        next[6 * (1 + i) + c] =
+            decay[i] * history[6 * (1 + i) + c] + mean[i] * (now[c] - history[c]);
     for (int c = 0; c < 6; ++c) next[c] = now[c];
   }
 

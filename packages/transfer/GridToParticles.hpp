@@ -50,6 +50,7 @@ struct GridToParticles {
     double u[3][Shape::nodes];
     elements.gather(elements.displacement, i, j, k, u);
     const MeanDilatation mean = mean_dilatation(elements, i, j, k);
+    LawAt<Law, Device> law_at(law, elements);
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       const int p = point.p;
       const bool has_base = elements.particles.base_displacement.extent(0) != 0;
@@ -58,7 +59,7 @@ struct GridToParticles {
         for (int a = 0; a < Shape::nodes; ++a) sum += point.value[a] * u[c][a];
         fields.displacement(p - first, c) = sum;
       }
-      const LawAt<Law> material(law, elements, point);
+      const Law& material = law_at(point);
       const double growth = tensor::det_minus_one(point.H), log_j = log1p(growth);
       double jacobian = 1.0 + growth, log_of_volume = log_j;
       if (mean.holds_for(point)) {
@@ -67,13 +68,12 @@ struct GridToParticles {
       }
       const Tensor3 sigma =
           (1.0 / jacobian) *
-          material->kirchhoff_stress(point.H, log_j, material->stress_of_volume(log_of_volume));
+          material.kirchhoff_stress(point.H, log_j, material.stress_of_volume(log_of_volume));
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};
       for (int c = 0; c < 6; ++c) fields.stress(p - first, c) = components[c];
       fields.jacobian(p - first) = jacobian;
-      fields.energy(p - first) =
-          material->energy(point.H, material->energy_of_volume(log_of_volume));
+      fields.energy(p - first) = material.energy(point.H, material.energy_of_volume(log_of_volume));
     });
   }
 };

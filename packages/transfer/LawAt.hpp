@@ -13,61 +13,68 @@
 
 namespace stroma::transfer {
 
-/// Points to the law of the material, or to a copy of it where the particle has anything of its own;
-/// it stays where it is made.
-template <class Law>
+/// The laws at the points of an element, one after the other: those of the materials, or a copy of
+/// one where particles have anything of their own. The copy stays from point to point as long as the
+/// material does, and with it what follows from the step alone.
+template <class Law, class Device>
 class LawAt {
  public:
-  /// \param law        (material)
-  /// \param points     of the rank
-  /// \param material   of the point
-  /// \param p          the particle whose numbers it has: itself, or of a fictitious point the one
-  ///                   whose material it takes
-  /// \param is_real    a particle, which has a history and is driven; else neither
-  template <class Device>
+  /// \param law     (material)
+  /// \param points  of the rank
   KOKKOS_INLINE_FUNCTION LawAt(const Kokkos::View<const Law*, Device>& law,
-                               const PointSet<Device>& points, int material, int p, bool is_real)
-      : law_(&law(material)) {
-    if constexpr (material::is_asked_by_particle<Law>) {
-      const particles::Particles<Device>& particles = points.particles;
-      if constexpr (material::takes_numbers<Law>)
-        if (particles.own_numbers.extent(1) != 0) own().take(&particles.own_numbers(p, 0));
-      if constexpr (material::states_of < Law >> 0)
-        if (is_real && particles.history.extent(1) != 0)
-          material::recall(own(), &particles.history(p, 0), points.time_step);
-      if (is_real && points.factors.extent(0) != 0) drive(own(), points.factors(material));
-    }
-  }
-  /// At a particle.
-  template <class Device>
-  KOKKOS_INLINE_FUNCTION LawAt(const Kokkos::View<const Law*, Device>& law,
-                               const PointSet<Device>& points, int p)
-      : LawAt(law, points, points.particles.material(p), p, true) {}
-  /// At a particle or a fictitious point.
-  template <class Device, class Shape>
-  KOKKOS_INLINE_FUNCTION LawAt(const Kokkos::View<const Law*, Device>& law,
-                               const PointSet<Device>& points, const ParticlePoint<Shape>& point)
-      : LawAt(law, points, point.material, point.like, point.p != no_particle) {}
+                               const PointSet<Device>& points)
+      : law_(law), points_(points) {}
   LawAt(const LawAt&) = delete;
   LawAt& operator=(const LawAt&) = delete;
 
-  KOKKOS_INLINE_FUNCTION const Law* operator->() const { return law_; }
+  /// At a particle; good until the next is asked for.
+  KOKKOS_INLINE_FUNCTION const Law& operator()(int p) {
+    return at(points_.particles.material(p), p, true);
+  }
+  /// At a particle or a fictitious point.
+  template <class Shape>
+  KOKKOS_INLINE_FUNCTION const Law& operator()(const ParticlePoint<Shape>& point) {
+    return at(point.material, point.like, point.p != no_particle);
+  }
 
  private:
+  /// \param p        the particle whose numbers it has: itself, or of a fictitious point the one
+  ///                 whose material it takes
+  /// \param is_real  a particle, which has a history and is driven; else neither
+  KOKKOS_INLINE_FUNCTION const Law& at(int material, int p, bool is_real) {
+    if constexpr (material::is_asked_by_particle<Law>) {
+      const particles::Particles<Device>& particles = points_.particles;
+      const bool has_numbers = particles.own_numbers.extent(1) != 0;
+      const bool has_history = is_real && particles.history.extent(1) != 0;
+      const bool is_driven = is_real && points_.factors.extent(0) != 0;
+      if (has_numbers || has_history || is_driven) {
+        if (own_ == nullptr || material != material_ || is_real != is_real_) {
+          own_ = new (&room_) Law(law_(material));
+          material_ = material;
+          is_real_ = is_real;
+          if (is_driven) drive(*own_, points_.factors(material));
+        }
+        if constexpr (material::takes_numbers<Law>)
+          if (has_numbers) own_->take(&particles.own_numbers(p, 0));
+        if constexpr (material::states_of < Law >> 0)
+          if (has_history) material::recall(*own_, &particles.history(p, 0), points_.time_step);
+        return *own_;
+      }
+    }
+    return law_(material);
+  }
+
   static_assert(std::is_trivially_copyable_v<Law>, "it is copied as it is, and not destroyed");
   struct Room {
     alignas(Law) unsigned char bytes[sizeof(Law)];
   };
   struct Nothing {};
 
-  /// The copy, in room that is not touched where there is none.
-  KOKKOS_INLINE_FUNCTION Law& own() {
-    if (own_ == nullptr) law_ = own_ = new (&room_) Law(*law_);
-    return *own_;
-  }
-
-  const Law* law_;
-  Law* own_ = nullptr;
+  const Kokkos::View<const Law*, Device>& law_;
+  const PointSet<Device>& points_;
+  Law* own_ = nullptr;  // in the room, which is not touched where there is none
+  int material_ = 0;
+  bool is_real_ = true;
   std::conditional_t<material::is_asked_by_particle<Law>, Room, Nothing> room_;
 };
 

@@ -83,10 +83,11 @@ KOKKOS_FUNCTION MeanPressure mean_pressure(const ElementParticles<Shape, Device>
   MeanPressure result;
   if (!mean.is_on) return result;
   const auto& particles = elements.particles;
+  LawAt<Law, Device> law_at(law, elements);
   const int element = elements.box.element(i, j, k);
   for (int p = particles.element_begin(element); p < particles.element_begin(element + 1); ++p) {
     const material::VolumetricStress stress =
-        LawAt<Law>(law, elements, p)->stress_of_volume(log_mean_jacobian(elements, mean, p));
+        law_at(p).stress_of_volume(log_mean_jacobian(elements, mean, p));
     result.pressure += particles.volume(p) * stress.pressure;
     result.slope += particles.volume(p) * (stress.modulus - stress.pressure);
   }
@@ -110,13 +111,14 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
                                             int j, int k, std::int64_t& bad, const Visit& visit) {
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
+  LawAt<Law, Device> law_at(law, elements);
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const LawAt<Law> material(law, elements, point);
+    const Law& material = law_at(point);
     const double log_j = material::log_jacobian(point.H);
     visit(point,
-          material->kirchhoff_stress(point.H, log_j,
-                                     mean.holds_for(point) ? share_of(pressure, log_j)
-                                                           : material->stress_of_volume(log_j)));
+          material.kirchhoff_stress(point.H, log_j,
+                                    mean.holds_for(point) ? share_of(pressure, log_j)
+                                                          : material.stress_of_volume(log_j)));
   });
 }
 
@@ -131,8 +133,9 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   ParticlePoint<Shape> whole = {};
+  LawAt<Law, Device> law_at(law, elements);
   elements.for_each_point(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
-    const LawAt<Law> material(law, elements, point);
+    const Law& material = law_at(point);
     const double log_j = material::log_jacobian(point.H);
     material::VolumetricStress volume;
     if (mean.holds_for(point)) {
@@ -141,9 +144,9 @@ KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Devic
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a) whole.gradient[c][a] += now * point.gradient[c][a];
     } else {
-      volume = material->stress_of_volume(log_j);
+      volume = material.stress_of_volume(log_j);
     }
-    visit(point, material->tangent(point.H, log_j, volume));
+    visit(point, material.tangent(point.H, log_j, volume));
   });
   if (!mean.is_on) return;
   whole.p = no_particle;

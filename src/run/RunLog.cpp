@@ -93,7 +93,21 @@ void RunLog::stabilization(const mechanics::MovingBody& body) {
 std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
                     const grid::Vector& trial, const solver::StepControl& load,
                     const std::string& reason, const std::string& folder) {
+  const auto name_of = [&](const mechanics::WorstParticle& particle) {
+    return format("id %lld, material \"%s\", at (%.6g, %.6g, %.6g) um",
+                  static_cast<long long>(particle.id),
+                  deck.parameters.materials.materials[static_cast<std::size_t>(particle.material)]
+                      .first.c_str(),
+                  particle.position[0], particle.position[1], particle.position[2]);
+  };
   const mechanics::WorstParticle worst = balance.body().worst_particle(trial);
+  const mechanics::WorstParticle softest = balance.body().least_elliptic_particle(trial);
+  std::string ellipticity;
+  if (softest.figure < 0.0)
+    ellipticity = format(
+        "lost ellipticity: particle %s, where a plane wave has a modulus of %.4g Pa: its law "
+        "softens, and strains localise\n",
+        name_of(softest).c_str(), softest.figure);
   std::string advice;
   for (const std::string& one : solver::advice(circumstances(deck, balance)))
     advice += "\n- " + one;
@@ -101,12 +115,9 @@ std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
              "the load step from %.6g to %.6g of the load failed, and Loading|Smallest Step "
              "forbids smaller ones: %s\n",
              load.load(), load.next(), reason.c_str()) +
-         format("worst particle: id %lld, material \"%s\", at (%.6g, %.6g, %.6g) um, J = %.4g\n",
-                static_cast<long long>(worst.id),
-                deck.parameters.materials.materials[static_cast<std::size_t>(worst.material)]
-                    .first.c_str(),
-                worst.position[0], worst.position[1], worst.position[2], worst.jacobian) +
-         "the steps up to there are in " + folder + "; to go on, what may help:" + advice;
+         format("worst particle: %s, J = %.4g\n", name_of(worst).c_str(), worst.figure) +
+         ellipticity + "the steps up to there are in " + folder +
+         "; to go on, what may help:" + advice;
 }
 
 }  // namespace stroma

@@ -248,14 +248,29 @@ double Body::largest_strain(const grid::Vector& u) const {
 }
 
 WorstParticle Body::worst_particle(const grid::Vector& u) const {
-  const auto jacobian =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particle_fields(u).jacobian);
+  return worst_by(particle_fields(u).jacobian);
+}
+
+WorstParticle Body::least_elliptic_particle(const grid::Vector& u) const {
+  material::DistributionParameters everywhere;
+  everywhere.distribution = material::Distribution::spherical;
+  everywhere.quadrature = 8;
+  const Kokkos::View<double*, Device> moduli("wave moduli",
+                                             static_cast<std::size_t>(particles_.count()));
+  Kokkos::deep_copy(moduli, std::numeric_limits<double>::infinity());
+  stress_->wave_moduli(points(u), grid::to_device("directions", material::directions(everywhere)),
+                       moduli);
+  return worst_by(moduli);
+}
+
+WorstParticle Body::worst_by(const Kokkos::View<const double*, Device>& of_particles) const {
+  const auto figure = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), of_particles);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double least = infinity;
   int worst = -1;
   for (int p = 0; p < particles_.count(); ++p)
-    if (!(jacobian(p) >= least)) {
-      least = std::isnan(jacobian(p)) ? -infinity : jacobian(p);
+    if (!(figure(p) >= least)) {
+      least = std::isnan(figure(p)) ? -infinity : figure(p);
       worst = p;
     }
   const double least_of_all = communicator().min(least);
@@ -269,13 +284,13 @@ WorstParticle Body::worst_particle(const grid::Vector& u) const {
     };
     result.id = one(particles_.id)(worst);
     result.material = one(particles_.material)(worst);
-    result.jacobian = jacobian(worst);
+    result.figure = figure(worst);
     const auto position = one(particles_.position);
     for (std::size_t d = 0; d < 3; ++d) result.position[d] = position(worst, static_cast<int>(d));
   }
   communicator().broadcast(result.id, owner);
   communicator().broadcast(result.material, owner);
-  communicator().broadcast(result.jacobian, owner);
+  communicator().broadcast(result.figure, owner);
   communicator().broadcast(result.position.data(), 3, owner);
   return result;
 }

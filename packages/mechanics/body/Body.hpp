@@ -17,11 +17,11 @@
 
 namespace stroma::mechanics {
 
-/// The particle that fares worst: the one with the smallest J.
+/// The particle that fares worst: the one with the smallest figure of some kind.
 struct WorstParticle {
   std::int64_t id = -1;
   int material = 0;
-  double jacobian = 0.0;
+  double figure = 0.0;
   std::array<double, 3> position{};  ///< at the base configuration [um]
 };
 
@@ -105,13 +105,19 @@ class Body {
   /// not; it is good until the halo is used again.
   using FieldVisitor = std::function<void(int, const transfer::ParticleFields<Device>&)>;
   std::function<void(const FieldVisitor&)> field_layers(const grid::Vector& u) const;
+  /// The one with the smallest J.
   WorstParticle worst_particle(const grid::Vector& u) const;
+  /// The one with the least modulus of a plane wave [Pa] (transfer::WaveModulus); where it is
+  /// negative, the material has lost ellipticity. Takes as long as some hundred forces.
+  WorstParticle least_elliptic_particle(const grid::Vector& u) const;
   /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
   /// much the body is strained where it is strained most. Rounding makes 1e-15 of a body at rest.
   double largest_strain(const grid::Vector& u) const;
 
  private:
   void find_fictitious_points(double stabilization);
+  /// \param figure  (particle); what is no number is less than any
+  WorstParticle worst_by(const Kokkos::View<const double*, Device>& figure) const;
 
   Problem problem_;
   std::shared_ptr<const ShapeKernels> kernels_;

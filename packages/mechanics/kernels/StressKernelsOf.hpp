@@ -13,6 +13,7 @@
 #include "stroma/mechanics/kernels/StressKernels.hpp"
 #include "stroma/transfer/InternalForce.hpp"
 #include "stroma/transfer/UpdateHistory.hpp"
+#include "stroma/transfer/WaveModulus.hpp"
 
 namespace stroma::mechanics {
 
@@ -80,6 +81,12 @@ class StressKernelsOf : public StressKernels {
     transfer::for_each_element_of_layer<grid::ExecutionSpace>(
         "grid to particles", points.box, k,
         transfer::GridToParticles<Shape, Law, Device>{{points}, law_, fields, first});
+  }
+  void wave_moduli(const Points& points,
+                   const Kokkos::View<const material::FiberDirection*, Device>& directions,
+                   const Kokkos::View<double*, Device>& least) const override {
+    launch("wave moduli", points,
+           transfer::WaveModulus<Shape, Law, Device>{{points}, law_, directions, least});
   }
   void update_history(const Points& points) const override {
     if constexpr (material::states_of < Law >> 0)
