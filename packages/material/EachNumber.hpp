@@ -39,8 +39,8 @@ class VisitNumbers {
     visit_(NumberName{name}, law_.*member);
   }
   template <int n>
-  void directions(double (Law::*member)[n][3], int Law::*) {
-    for (int family = 0; family < n; ++family)
+  void directions(double (Law::*member)[n][3], int Law::*count) {
+    for (int family = 0; family < law_.*count; ++family)
       for (int d = 0; d < 3; ++d)
         visit_(NumberName{"Direction", family, d}, (law_.*member)[family][d]);
   }

@@ -48,14 +48,15 @@ class LawAt {
       const bool has_history = is_real && particles.history.extent(1) != 0;
       const bool is_driven = is_real && points_.factors.extent(0) != 0;
       if (has_numbers || has_history || is_driven) {
-        if (own_ == nullptr || material != material_ || is_real != is_real_) {
+        const bool is_new = own_ == nullptr || material != material_ || is_real != is_real_;
+        if (is_new) {
           own_ = new (&room_) Law(law_(material));
           material_ = material;
           is_real_ = is_real;
-          if (is_driven) drive(*own_, points_.factors(material));
         }
         if constexpr (material::takes_numbers<Law>)
           if (has_numbers) own_->take(&particles.own_numbers(p, 0));
+        if (is_driven && (is_new || has_numbers)) drive(*own_, points_.factors(material));
         if constexpr (material::states_of < Law >> 0)
           if (has_history) material::recall(*own_, &particles.history(p, 0), points_.time_step);
         return *own_;

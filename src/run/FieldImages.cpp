@@ -121,12 +121,15 @@ std::vector<image::Orientation> FieldImages::by_structure_tensor(
     const std::string& where, const material::DirectionsFromImage& from,
     const std::vector<bool>& counts) const {
   const voxels::IntensityVolume volume = read(where, from);
-  const auto [low, high] = std::minmax_element(volume.values.begin(), volume.values.end());
-  const bool is_empty = volume.values.empty();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double range = communicator_.max(is_empty ? -infinity : *high) -
-                       communicator_.min(is_empty ? infinity : *low);
-  if (!std::isfinite(range))
+  double low = infinity, high = -infinity;
+  for (const double value : volume.values) {
+    low = std::isnan(value) ? -infinity : std::min(low, value);
+    high = std::max(high, value);
+  }
+  low = communicator_.min(low);
+  high = communicator_.max(high);
+  if (!std::isfinite(high - low))
     throw base::InputError(where + ": the image holds intensities that are no finite numbers");
   std::vector<image::SymmetricTensor> tensor(particles_->number.size());
   image::structure_tensor(communicator_, volume, {*from.gradient_scale, *from.window_scale},
@@ -137,7 +140,10 @@ std::vector<image::Orientation> FieldImages::by_structure_tensor(
                               tensor[p][static_cast<std::size_t>(component)] = here[p];
                           });
   // what rounding makes of a constant image is less
-  const double least = std::pow(1e-5 * range / *from.gradient_scale, 2);
+  const double least =
+      std::pow(std::max(1e-5 * (high - low), 1e-6 * std::max(std::abs(low), std::abs(high))) /
+                   *from.gradient_scale,
+               2);
   std::vector<bool> has(tensor.size());
   std::vector<image::Orientation> found(tensor.size());
   for (std::size_t p = 0; p < tensor.size(); ++p) {

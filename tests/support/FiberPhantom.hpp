@@ -15,7 +15,7 @@ namespace stroma::test {
 
 /// Straight fibres at random places, all along one direction. A fibre has a Gaussian profile, its
 /// own 0.5 um and the microscope's blur of 0.4 um across and 0.8 um along z as standard deviations,
-/// and the noise of a voxel is a tenth of a fibre's brightness.
+/// and the noise of a voxel is half of a fibre's brightness.
 class FiberPhantom {
  public:
   FiberPhantom(const std::array<std::int64_t, 3>& size, const std::array<double, 3>& voxel_size,
@@ -32,7 +32,7 @@ class FiberPhantom {
       through_.push_back(
           {share(random) * length[0], share(random) * length[1], share(random) * length[2]});
     noise_.resize(static_cast<std::size_t>(size[0] * size[1] * size[2]));
-    std::normal_distribution<double> normal(0.0, 0.1);
+    std::normal_distribution<double> normal(0.0, 0.5);
     for (float& value : noise_) value = static_cast<float>(normal(random));
   }
 

@@ -140,7 +140,7 @@ void expect_same_bits(const History& one, const History& other) {
   for (const char* column : {"strain_energy", "bottom.reaction_x", "bottom.reaction_y",
                              "top.reaction_x", "top.reaction_y", "top.reaction_z"})
     for (std::size_t step = 0; step < 3; ++step)
-      EXPECT_EQ(one.value(step, column), other.value(step, column)) << column << " " << step;
+      EXPECT_EQ(one[column].at(step), other[column].at(step)) << column << " " << step;
 }
 
 // V-FIELD-4. A law with a number by intensity, and two materials with the two numbers: the same
@@ -154,7 +154,7 @@ TEST(NumbersFromImage, AreTwoMaterials) {
         run(folder, "field", deck(thresholded(1000), material("gel", 0, field(number))));
     expect_same_bits(field_run,
                      run(folder, "labels", deck(thresholded(100), two_materials(number))));
-    EXPECT_NE(field_run.value(2, "top.reaction_y"), 0.0);
+    EXPECT_NE(field_run["top.reaction_y"].at(2), 0.0);
   }
 }
 
