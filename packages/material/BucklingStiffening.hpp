@@ -40,19 +40,34 @@ struct BucklingStiffening {
                       "Strain over which fibres stiffen by a factor e.");
   }
 
-  KOKKOS_INLINE_FUNCTION FiberResponse at(double x) const {
-    const double s = stretch_minus_one(x), l = 1.0 + s;
-    if (s <= 0.0) {
-      const double y = s / d0;
-      return by_square(k * d0 * d0 * tensor::expm1_minus_x(y), k * d0 * expm1(y), k * exp(y), l);
-    }
-    if (s <= lambda_s) return by_square(0.5 * k * s * s, k * s, k, l);
-    const double beyond = s - lambda_s, y = beyond / ds;
-    return by_square(
-        k * (0.5 * lambda_s * lambda_s + lambda_s * beyond + ds * ds * tensor::expm1_minus_x(y)),
-        k * (lambda_s + ds * expm1(y)), k * exp(y), l);
+  KOKKOS_INLINE_FUNCTION double energy(double x) const {
+    const Stretch at(*this, x);
+    return k * (d0 * d0 * tensor::expm1_minus_x(at.buckled) + 0.5 * at.straight * at.straight +
+                ds * (lambda_s * at.stiffened + ds * tensor::expm1_minus_x(at.stiffened)));
+  }
+  KOKKOS_INLINE_FUNCTION FiberSlopes slopes(double x) const {
+    const Stretch at(*this, x);
+    const double buckled = tensor::vector_expm1(at.buckled),
+                 stiffened = tensor::vector_expm1(at.stiffened);
+    return by_square(k * (d0 * buckled + at.straight + ds * stiffened),
+                     k * (1.0 + buckled) * (1.0 + stiffened), 1.0 + at.s);
   }
   KOKKOS_INLINE_FUNCTION double small_strain_modulus() const { return k; }
+
+ private:
+  /// s, and its parts in each of the three ranges, those that are exponents by their strains.
+  struct Stretch {
+    double s, buckled, straight, stiffened;
+
+    KOKKOS_INLINE_FUNCTION Stretch(const BucklingStiffening& law, double x)
+        : s(stretch_minus_one(x)) {
+      const double pulled = in_tension(s) * s;
+      const double beyond = in_tension(s - law.lambda_s) * (s - law.lambda_s);
+      straight = pulled - beyond;
+      buckled = (s - pulled) / law.d0;
+      stiffened = beyond / law.ds;
+    }
+  };
 };
 
 }  // namespace stroma::material

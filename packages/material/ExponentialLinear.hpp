@@ -37,17 +37,21 @@ struct ExponentialLinear {
                       "Stretch at which fibres are straight.");
   }
 
-  KOKKOS_INLINE_FUNCTION FiberResponse at(double x) const {
-    if (!(x > 0.0)) return {0.0, 0.0, 0.0};
-    const double s = stretch_minus_one(x), l = 1.0 + s, s_max = lambda_max - 1.0;
-    if (s <= s_max) {
-      const double force = c3 * expm1(c4 * s) / l;  // dpsi/dl
-      return by_square(crimped_energy(s), force, (c3 * c4 * exp(c4 * s) - force) / l, l);
-    }
+  KOKKOS_INLINE_FUNCTION double energy(double x) const {
+    if (!(x > 0.0)) return 0.0;
+    const double s = stretch_minus_one(x), s_max = lambda_max - 1.0;
+    if (s <= s_max) return crimped_energy(s);
     const double c6 = c3 * expm1(c4 * s_max) - c5 * lambda_max;
-    const double force = c5 + c6 / l;
-    return by_square(crimped_energy(s_max) + c5 * (s - s_max) + c6 * log(l / lambda_max), force,
-                     -c6 / (l * l), l);
+    return crimped_energy(s_max) + c5 * (s - s_max) + c6 * log((1.0 + s) / lambda_max);
+  }
+  KOKKOS_INLINE_FUNCTION FiberSlopes slopes(double x) const {
+    const double tension = in_tension(x), s = stretch_minus_one(tension * x), l = 1.0 + s;
+    const double s_max = lambda_max - 1.0, is_straight = in_tension(s - s_max);
+    const double beyond = is_straight * (s - s_max);
+    const double growth = c3 * tensor::vector_expm1(c4 * (s - beyond));
+    const double force = (growth + c5 * beyond) / l;  // dpsi/dl
+    const double slope = tension * (is_straight * c5 + (1.0 - is_straight) * c4 * (c3 + growth));
+    return by_square(force, (slope - force) / l, l);
   }
   KOKKOS_INLINE_FUNCTION double small_strain_modulus() const { return c3 * c4; }
 

@@ -34,12 +34,16 @@ struct ExponentialPower {
                       "Power Beta of I_n - 1.");
   }
 
-  KOKKOS_INLINE_FUNCTION FiberResponse at(double x) const {
-    if (!(x > 0.0)) return {0.0, 0.0, 0.0};
-    const double power = pow(x, beta - 2.0) * x * x;  // x^beta
-    const double growth = alpha * power, factor = xi * exp(growth);
-    return {alpha > 0.0 ? xi / (alpha * beta) * expm1(growth) : xi / beta * power,
-            factor * power / x, factor * power / (x * x) * (beta - 1.0 + beta * growth)};
+  KOKKOS_INLINE_FUNCTION double energy(double x) const {
+    if (!(x > 0.0)) return 0.0;
+    const double power = pow(x, beta);
+    return alpha > 0.0 ? xi / (alpha * beta) * expm1(alpha * power) : xi / beta * power;
+  }
+  KOKKOS_INLINE_FUNCTION FiberSlopes slopes(double x) const {
+    const double tension = in_tension(x), y = tension * x;
+    const double power = tensor::vector_pow(y, beta - 2.0), growth = alpha * power * y * y;
+    const double factor = tension * xi * power * tensor::vector_exp(growth);
+    return {factor * y, factor * (beta - 1.0 + beta * growth)};
   }
   /// 4 psi'' at x = 0: of beta = 2 alone not zero.
   KOKKOS_INLINE_FUNCTION double small_strain_modulus() const {

@@ -9,8 +9,10 @@
 /// of fibres gives its energy as a function of I; with x = I - 1 given, for small stretches keep
 /// their digits in x. It has
 ///
-///     // psi and its first two derivatives by I [Pa]
-///     FiberResponse at(double x) const;
+///     // psi [Pa], and its first two derivatives by I; the derivatives without branches, and by the
+///     // functions of VectorMath.hpp, so that those of several fibres are found at once
+///     double energy(double x) const;
+///     FiberSlopes slopes(double x) const;
 ///     // of small stretches, the larger of tension's and compression's: d2psi/dlambda2 at 1 [Pa]
 ///     double small_strain_modulus() const;
 ///     // in the deck
@@ -21,12 +23,13 @@
 /// the first two for host and device.
 
 #include "stroma/material/LawParameters.hpp"
+#include "stroma/tensor/VectorMath.hpp"
 
 namespace stroma::material {
 
-/// Energy of a fibre per volume of the body, and its derivatives by I = lambda^2 [Pa].
-struct FiberResponse {
-  double energy, slope, curvature;
+/// Derivatives of a fibre's energy per volume of the body by I = lambda^2 [Pa].
+struct FiberSlopes {
+  double first, second;
 };
 
 /// A fibre of direction N, carried along by F = I + H: m = F N, and x = I - 1 = 2 N.H.N + |H N|^2.
@@ -43,15 +46,16 @@ struct StretchedFiber {
   }
 };
 
+/// 1 where x is positive or 0, else 0; without a branch.
+KOKKOS_INLINE_FUNCTION double in_tension(double x) { return 0.5 + copysign(0.5, x); }
+
 /// lambda - 1 of x = lambda^2 - 1, to all digits.
 KOKKOS_INLINE_FUNCTION double stretch_minus_one(double x) { return x / (1.0 + sqrt(1.0 + x)); }
 
 /// From derivatives by the stretch lambda to those by I:
 /// psi' = w' / (2 lambda), psi'' = (w'' - w' / lambda) / (4 I).
-KOKKOS_INLINE_FUNCTION FiberResponse by_square(double energy, double slope, double curvature,
-                                               double stretch) {
-  return {energy, 0.5 * slope / stretch,
-          0.25 * (curvature - slope / stretch) / (stretch * stretch)};
+KOKKOS_INLINE_FUNCTION FiberSlopes by_square(double first, double second, double stretch) {
+  return {0.5 * first / stretch, 0.25 * (second - first / stretch) / (stretch * stretch)};
 }
 
 }  // namespace stroma::material
