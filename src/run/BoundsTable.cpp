@@ -45,6 +45,8 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<double>& shares,
                                       const std::vector<material::SmallStrainModuli>& extremes,
                                       bool plane_strain, bool has_empty_space) {
+  for (const auto& named : materials)
+    if (named.second.fibers) return {};  // bounds are those of isotropic materials
   const std::vector<material::SmallStrainModuli> moduli = material::moduli_of(materials);
   std::vector<material::Phase> soft, stiff;
   std::string mixture;
