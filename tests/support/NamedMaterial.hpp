@@ -9,9 +9,9 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "stroma/material/Models.hpp"
-#include "stroma/mechanics/kernels/StressKernels.hpp"
 
 namespace stroma::test {
 
@@ -42,18 +42,6 @@ inline material::FiberParameters fibers_of(const std::string& law,
   family.numbers = numbers;
   family.direction = direction;
   return family;
-}
-
-/// The law of a material, `count` times, with the directions of its fibres.
-inline mechanics::LawList law_list(const material::MaterialParameters& material,
-                                   std::size_t count) {
-  material::NamedMaterials all;
-  for (std::size_t n = 0; n < count; ++n) all.emplace_back("law " + std::to_string(n), material);
-  const material::MaterialLaws made = material::laws_of(all);
-  mechanics::LawList list;
-  list.of_material = made.laws;
-  list.directions = made.directions;
-  return list;
 }
 
 }  // namespace stroma::test

@@ -8,8 +8,8 @@
 
 #include <cmath>
 
+#include "support/LawList.hpp"
 #include "support/LoadSteps.hpp"
-#include "support/NamedMaterial.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/Turn.hpp"
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "stroma/material/FiberDirections.hpp"
+#include "support/LawList.hpp"
 #include "support/LoadSteps.hpp"
-#include "support/NamedMaterial.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma {
