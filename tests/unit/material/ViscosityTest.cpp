@@ -29,16 +29,17 @@ Viscosity two_terms(bool is_deviatoric) {
   return viscosity;
 }
 
-/// S at the end of steps of these lengths, through which S_e grows by `rate` a second.
-double stress_after(const std::vector<double>& steps, double rate) {
+/// S at the end of steps of these lengths, through which S_e is a function of time.
+template <class Elastic>
+double stress_after(const std::vector<double>& steps, const Elastic& elastic_at) {
   Viscosity viscosity = two_terms(false);
-  double history[Viscosity::most_states] = {}, elastic = 0.0, stress = 0.0;
+  double history[Viscosity::most_states] = {}, time = 0.0, stress = 0.0;
   for (const double dt : steps) {
-    elastic += rate * dt;
+    time += dt;
     viscosity.prepare(dt);
     Tensor3 S;
-    S(0, 0) = elastic;
-    stress = viscosity.factor * elastic + viscosity.memory(history)(0, 0);
+    S(0, 0) = elastic_at(time);
+    stress = viscosity.factor * S(0, 0) + viscosity.memory(history)(0, 0);
     double next[Viscosity::most_states];
     viscosity.advance(history, S, next);
     std::copy(next, next + viscosity.states(), history);
@@ -52,7 +53,27 @@ TEST(Viscosity, IsExactForAStressThatGrowsEvenly) {
   const double exact =
       r * (0.8 * t - 0.6 * 0.5 * std::expm1(-t / 0.5) - 0.3 * 5.0 * std::expm1(-t / 5.0));
   for (const auto& steps : {std::vector<double>{2.0}, {0.5, 1.5}, {1.0, 0.25, 0.75}})
-    EXPECT_NEAR(stress_after(steps, r), exact, 1e-13 * exact);
+    EXPECT_NEAR(stress_after(steps, [=](double s) { return r * s; }), exact, 1e-13 * exact);
+}
+
+// S_e = r t^2, whose convolution is r (G0 t^2 + sum 2 g_i t_i (t - t_i (1 - exp(-t / t_i)))), in ever
+// shorter steps.
+TEST(Viscosity, IsOfSecondOrderForAStressThatGrowsUnevenly) {
+  const Viscosity viscosity = two_terms(false);
+  const double r = 7.0, t = 2.0;
+  double exact = 0.8 * t * t;
+  for (int i = 0; i < viscosity.terms; ++i) {
+    const double own = viscosity.time[i];
+    exact += 2.0 * viscosity.modulus[i] * own * (t + own * std::expm1(-t / own));
+  }
+  exact *= r;
+  const auto error = [&](int count) {
+    const std::vector<double> steps(static_cast<std::size_t>(count), t / count);
+    return std::abs(stress_after(steps, [=](double s) { return r * s * s; }) - exact);
+  };
+  EXPECT_LT(error(8), 0.01 * exact);
+  for (const int count : {8, 16, 32})
+    EXPECT_NEAR(std::log2(error(count) / error(2 * count)), 2.0, 0.05) << count;
 }
 
 TEST(Viscosity, OfASuddenLoadIsTheSumOfAllModuli) {

@@ -221,7 +221,8 @@ fs::path ReferenceCase::write_deck(const TemporaryFolder& folder) const {
                list("Solver", parameter("Newton Tolerance", "double", "1e-12") +
                                   parameter("Linear Tolerance", "double", "1e-8") +
                                   parameter("Preconditioner", "string", "Jacobi")) +
-               list("Output", parameter("Particles Every", "int", "0") +
+               list("Output", parameter("Pictures", "bool", "false") +
+                                  parameter("Particles Every", "int", "0") +
                                   parameter("Grid Every", "int", "0"))));
 }
 

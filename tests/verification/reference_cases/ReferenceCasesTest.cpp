@@ -140,9 +140,13 @@ TEST_P(ReferenceCases, AreReproduced) {
   }
   if (GetParam().front() != 'L' && GetParam().front() != 'T')
     return;  // more ranks of the paper's law: V-RANKS
-  const Outcome outcome = run_stroma(folder.path(), "run " + quoted(deck) + " -o two --quiet", 2);
-  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
-  compare_history(reference, History(folder.path() / "two" / "history.csv"));
+  for (const int ranks : {2, 4}) {
+    SCOPED_TRACE(std::to_string(ranks) + " ranks");
+    const Outcome outcome =
+        run_stroma(folder.path(), "run " + quoted(deck) + " -o ranks --quiet", ranks);
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+    compare_history(reference, History(folder.path() / "ranks" / "history.csv"));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -12,6 +12,7 @@
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/ShiftedBody.hpp"
+#include "support/Turn.hpp"
 
 namespace stroma {
 namespace {
@@ -19,25 +20,10 @@ namespace {
 using mechanics::Face;
 using tensor::Tensor3;
 using test::Specimen;
+using test::turn;
 using Vector3 = std::array<double, 3>;
 
 base::Communicator world() { return base::Communicator::world(); }
-
-/// Turn by an angle about an axis through the origin (Rodrigues).
-Tensor3 turn(const Vector3& axis, double angle) {
-  Tensor3 W;
-  const double length = std::hypot(axis[0], axis[1], axis[2]);
-  for (int c = 0; c < 3; ++c) {
-    W((c + 2) % 3, (c + 1) % 3) = axis[static_cast<std::size_t>(c)] / length;
-    W((c + 1) % 3, (c + 2) % 3) = -axis[static_cast<std::size_t>(c)] / length;
-  }
-  const Tensor3 WW = W * W;
-  Tensor3 R = tensor::identity();
-  for (int c = 0; c < 3; ++c)
-    for (int d = 0; d < 3; ++d)
-      R(c, d) += std::sin(angle) * W(c, d) + (1.0 - std::cos(angle)) * WW(c, d);
-  return R;
-}
 
 /// Where a body of particles starts, against its lattice.
 struct Start {
