@@ -17,6 +17,7 @@
 #include <numeric>
 
 #include "stroma/material/AnyLaw.hpp"
+#include "support/ExodusReader.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
@@ -313,11 +314,107 @@ TEST(RampAndHoldDeck, RelaxesTowardsTheElasticForce) {
   EXPECT_LT(force.back(), 1.3 * elastic);
 }
 
+// A law whose shear stiffens and then softens: the run ends where it must, and says why and where.
+TEST(TissueLawsDeck, TellWhereEllipticityIsLost) {
+  const TemporaryFolder results;
+  const Outcome run =
+      run_stroma(results.path(), "run " + quoted(decks / "09_tissue_laws" / "deck.yaml") +
+                                     " -o out --quiet --set 'Output|Pictures=false'"
+                                     " --set 'Image|Phantom|Shapes|bar|Label=4'"
+                                     " --set 'Materials|Yeoh|C [Pa]={250, -150, 0}'"
+                                     " --set 'Boundary Conditions|top|Strain=1.5'"
+                                     " --set 'Boundary Conditions|top|Components=xyz'"
+                                     " --set 'Loading|Smallest Step=0.01'");
+  EXPECT_EQ(run.status, 3);
+  for (const char* words : {"lost ellipticity: particle id ", "material \"Yeoh\", at (",
+                            "a plane wave has a modulus of -"})
+    EXPECT_NE(run.standard_error.find(words), std::string::npos) << run.standard_error;
+  EXPECT_GT(History(results.path() / "out" / "history.csv").rows(), 1u);
+}
+
+// 11_fiber_gel: fibres at 30 degrees to x make the gel several times stiffer along x than along y.
+TEST(FiberGelDeck, IsStifferAlongItsFibres) {
+  const TemporaryFolder results;
+  const std::string deck = quoted(decks / "11_fiber_gel" / "deck.yaml");
+  const Outcome check = run_stroma(results.path(), "check " + deck);
+  EXPECT_NE(check.standard_output.find("mean squares along x, y, z 0.7"), std::string::npos)
+      << check.standard_output;
+  const auto force = [&](const std::string& axis) {
+    const Outcome run = run_stroma(
+        results.path(), "run " + deck + " -o out --quiet --set 'Output|Pictures=false'" +
+                            " --set 'Loading|Steps=2'"
+                            " --set 'Grid|Element Size [um]={6, 6, 6}'"
+                            " --set 'Boundary Conditions|left|Face=" +
+                            axis + "-' --set 'Boundary Conditions|right|Face=" + axis + "+'");
+    EXPECT_EQ(run.status, 0) << run.standard_error;
+    return History(results.path() / "out" / "history.csv")["right.reaction_" + axis].back();
+  };
+  EXPECT_GT(force("x"), 4.0 * force("y"));
+}
+
+/// Mean displacement towards the origin of the particles at a distance from it [um].
+double drawn_in(const fs::path& file, double least, double most) {
+  const ExodusReader particles(file.string());
+  const auto x = particles.coordinates();
+  std::array<std::vector<double>, 3> u;
+  for (std::size_t d = 0; d < 3; ++d)
+    u[d] = particles.variable(particles.steps(), EX_NODAL, std::string("displacement_") + "xyz"[d],
+                              1, particles.counts.num_nodes);
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t p = 0; p < x[0].size(); ++p) {
+    const double r = std::hypot(x[0][p], x[1][p], x[2][p]);
+    if (r < least || r > most) continue;
+    sum -= (u[0][p] * x[0][p] + u[1][p] * x[1][p] + u[2][p] * x[2][p]) / r;
+    ++count;
+  }
+  return sum / count;
+}
+
+// 12_contracting_cell: at four radii the collagen still has a quarter of the displacement at the
+// cell, the linear gel less than a tenth.
+TEST(ContractingCellDeck, ReachesFurtherInCollagen) {
+  const TemporaryFolder results;
+  const auto share_left = [&](int label) {
+    const Outcome run =
+        run_stroma(results.path(), "run " + quoted(decks / "12_contracting_cell" / "deck.yaml") +
+                                       " -o out --quiet --set 'Output|Pictures=false'"
+                                       " --set 'Materials|collagen|Fibers|fibres|Quadrature=3'"
+                                       " --set 'Image|Phantom|Shapes|gel|Label=" +
+                                       std::to_string(label) + "'");
+    EXPECT_EQ(run.status, 0) << run.standard_error;
+    const fs::path file = results.path() / "out" / "particles.e";
+    return drawn_in(file, 36.0, 44.0) / drawn_in(file, 10.0, 12.0);
+  };
+  const double in_collagen = share_left(0), in_linear_gel = share_left(2);
+  EXPECT_GT(in_collagen, 0.2);
+  EXPECT_LT(in_linear_gel, 0.1);
+}
+
+// 13_growing_vessel: up to twice the volume on a grid that is reset; the wall is pressed together by
+// some percent of it, no more.
+TEST(GrowingVesselDeck, GrowsToTwiceItsVolume) {
+  const TemporaryFolder results;
+  const Outcome run =
+      run_stroma(results.path(), "run " + quoted(decks / "13_growing_vessel" / "deck.yaml") +
+                                     " -o out --quiet --set 'Output|Pictures=false'"
+                                     " --set 'Materials|vessel|Growth|Ratio=2'"
+                                     " --set 'Grid|Element Size [um]={2, 2, 4}'");
+  ASSERT_EQ(run.status, 0) << run.standard_error;
+  const History history(results.path() / "out" / "history.csv");
+  const auto& volume = history["vessel.volume"];
+  EXPECT_LT(volume.back(), 2.0 * volume.front());
+  EXPECT_GT(volume.back(), 1.85 * volume.front());
+  EXPECT_NEAR(history["left.reaction_x"].back(), -history["right.reaction_x"].back(),
+              1e-6 * std::abs(history["left.reaction_x"].back()));
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study.
-  std::vector<std::string> tested{"04_simple_shear", "06_resolution_study", "09_tissue_laws",
-                                  "10_ramp_and_hold"};
+  std::vector<std::string> tested{"04_simple_shear",  "06_resolution_study", "09_tissue_laws",
+                                  "10_ramp_and_hold", "11_fiber_gel",        "12_contracting_cell",
+                                  "13_growing_vessel"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))
