@@ -163,7 +163,11 @@ class Reinforced {
       });
       add_sums(of_tau, result.tau);
       for (int ij = 0; ij < 6; ++ij)
-        for (int kl = ij; kl < 6; ++kl) result.c.value[ij][kl] += sum_of(of_c[ij][kl]);
+        for (int kl = ij; kl < 6; ++kl) {
+          const double sum = sum_of(of_c[ij][kl]);
+          result.c.value[ij][kl] += sum;
+          if (kl != ij) result.c.value[kl][ij] += sum;
+        }
     });
     return result;
   }
@@ -189,7 +193,7 @@ class Reinforced {
     }
     /// m x m of one of them.
     KOKKOS_INLINE_FUNCTION double square(int ij, int d) const {
-      return m[Elasticity::first[ij]][d] * m[Elasticity::second[ij]][d];
+      return m[Elasticity::first(ij)][d] * m[Elasticity::second(ij)][d];
     }
   };
 

@@ -55,41 +55,58 @@ struct IsotropicTangent {
 };
 
 /// A tensor of fourth order with both minor symmetries and the major one, c_ijkl = c_jikl = c_klij: 21
-/// numbers. Pairs of subscripts are counted xx, yy, zz, xy, yz, zx.
+/// numbers, kept as a matrix whose rows fill a vector of the processor. Pairs of subscripts are
+/// counted xx, yy, zz, xy, yz, zx.
 struct Elasticity {
-  double value[6][6] = {};  ///< (pair, pair), the first no greater than the second; else 0
+  static constexpr int pairs = 6, padded = 8;
 
-  static constexpr int first[6] = {0, 1, 2, 0, 1, 2}, second[6] = {0, 1, 2, 1, 2, 0};
+  double value[pairs][padded] = {};  ///< (pair, pair)
+
+  KOKKOS_INLINE_FUNCTION static constexpr int first(int pair) { return pair < 3 ? pair : pair - 3; }
+  KOKKOS_INLINE_FUNCTION static constexpr int second(int pair) {
+    return pair < 3 ? pair : pair == 5 ? 0 : pair - 2;
+  }
   KOKKOS_INLINE_FUNCTION static constexpr int pair(int i, int j) {
     return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5;
   }
   /// c_ijkl of pair(i, j) and pair(k, l).
-  KOKKOS_INLINE_FUNCTION double operator()(int ij, int kl) const {
-    return ij <= kl ? value[ij][kl] : value[kl][ij];
-  }
+  KOKKOS_INLINE_FUNCTION double operator()(int ij, int kl) const { return value[ij][kl]; }
 
   /// f A x A, of a symmetric A.
   KOKKOS_INLINE_FUNCTION void add_dyad(double f, const Tensor3& A) {
-    for_each([&](int i, int j, int k, int l) { return f * A(i, j) * A(k, l); });
+    const Row a(A);
+    for (int ij = 0; ij < pairs; ++ij)
+      for (int kl = 0; kl < padded; ++kl) value[ij][kl] += f * a[ij] * a[kl];
   }
   /// f (A x B + B x A), of symmetric A and B.
   KOKKOS_INLINE_FUNCTION void add_dyads(double f, const Tensor3& A, const Tensor3& B) {
-    for_each(
-        [&](int i, int j, int k, int l) { return f * (A(i, j) * B(k, l) + B(i, j) * A(k, l)); });
+    const Row a(A), b(B);
+    for (int ij = 0; ij < pairs; ++ij)
+      for (int kl = 0; kl < padded; ++kl) value[ij][kl] += f * a[ij] * b[kl] + f * b[ij] * a[kl];
   }
   /// f A (.) A, (A (.) A)_ijkl = (A_ik A_jl + A_il A_jk) / 2, of a symmetric A.
   KOKKOS_INLINE_FUNCTION void add_square(double f, const Tensor3& A) {
-    for_each([&](int i, int j, int k, int l) {
-      return 0.5 * f * (A(i, k) * A(j, l) + A(i, l) * A(j, k));
-    });
+    double by_first[3][padded] = {},
+           by_second[3][padded] = {};  // A_ik and A_il of each pair (k, l)
+    for (int i = 0; i < 3; ++i)
+      for (int kl = 0; kl < pairs; ++kl) {
+        by_first[i][kl] = A(i, first(kl));
+        by_second[i][kl] = 0.5 * f * A(i, second(kl));
+      }
+    for (int ij = 0; ij < pairs; ++ij)
+      for (int kl = 0; kl < padded; ++kl)
+        value[ij][kl] += by_first[first(ij)][kl] * by_second[second(ij)][kl] +
+                         by_second[first(ij)][kl] * by_first[second(ij)][kl];
   }
   /// vol I x I + 2 sym I4 - 2/3 (s x I + I x s): IsotropicTangent without its geometric part.
   KOKKOS_INLINE_FUNCTION void add_isotropic(double volumetric, double symmetric, const Tensor3& s) {
-    for (int d = 0; d < 3; ++d)
-      for (int e = d; e < 6; ++e)
-        value[d][e] +=
-            (e < 3 ? volumetric - 2.0 / 3.0 * s(d, d) : 0.0) - 2.0 / 3.0 * s(first[e], second[e]);
-    for (int d = 0; d < 6; ++d) value[d][d] += d < 3 ? 2.0 * symmetric : symmetric;
+    const Row b(s);
+    constexpr double one[padded] = {1.0, 1.0, 1.0};
+    for (int ij = 0; ij < pairs; ++ij)
+      for (int kl = 0; kl < padded; ++kl)
+        value[ij][kl] +=
+            (volumetric * one[ij] - 2.0 / 3.0 * b[ij]) * one[kl] - 2.0 / 3.0 * one[ij] * b[kl];
+    for (int ij = 0; ij < pairs; ++ij) value[ij][ij] += ij < 3 ? 2.0 * symmetric : symmetric;
   }
   KOKKOS_INLINE_FUNCTION void scale(double f) {
     for (auto& row : value)
@@ -97,12 +114,15 @@ struct Elasticity {
   }
 
  private:
-  template <class F>
-  KOKKOS_INLINE_FUNCTION void for_each(const F& f) {
-    for (int ij = 0; ij < 6; ++ij)
-      for (int kl = ij; kl < 6; ++kl)
-        value[ij][kl] += f(first[ij], second[ij], first[kl], second[kl]);
-  }
+  /// The six numbers of a symmetric tensor, and zeros.
+  struct Row {
+    double number[padded] = {};
+
+    KOKKOS_INLINE_FUNCTION explicit Row(const Tensor3& A) {
+      for (int ij = 0; ij < pairs; ++ij) number[ij] = A(first(ij), second(ij));
+    }
+    KOKKOS_INLINE_FUNCTION double operator[](int ij) const { return number[ij]; }
+  };
 };
 
 /// Stress and spatial tangent of any law, all in [Pa]:

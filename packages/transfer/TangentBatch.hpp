@@ -150,17 +150,22 @@ struct TangentBatch<Shape, Real, material::FullTangent> {
           for (int k = 0; k < 3; ++k)
             for (int b = 0; b < lanes; ++b) sum[i][k][b] = K[a][i][k][first + b];
         for (int m = 0; m < count; ++m) {
-          Real in_line[lanes] = {};  // g_a . t_b
-          for (int j = 0; j < 3; ++j) {
-            const Real along = g[m][j][a];
-            for (int b = 0; b < lanes; ++b) in_line[b] += along * t[m][j][first + b];
-            for (int i = 0; i < 3; ++i)
-              for (int k = 0; k < 3; ++k)
-                for (int b = 0; b < lanes; ++b)
-                  sum[i][k][b] += along * B[m][Elasticity::pair(i, j)][k][first + b];
+          const Real x = g[m][0][a], y = g[m][1][a], z = g[m][2][a];
+          Real in_line[lanes];  // g_a . t_b
+          for (int b = 0; b < lanes; ++b)
+            in_line[b] = x * t[m][0][first + b] + y * t[m][1][first + b] + z * t[m][2][first + b];
+          for (int k = 0; k < 3; ++k) {
+            const Real(&xx)[padded] = B[m][0][k], (&yy)[padded] = B[m][1][k],
+                  (&zz)[padded] = B[m][2][k], (&xy)[padded] = B[m][3][k],
+                  (&yz)[padded] = B[m][4][k], (&zx)[padded] = B[m][5][k];
+            for (int b = 0; b < lanes; ++b)
+              sum[0][k][b] += x * xx[first + b] + y * xy[first + b] + z * zx[first + b];
+            for (int b = 0; b < lanes; ++b)
+              sum[1][k][b] += x * xy[first + b] + y * yy[first + b] + z * yz[first + b];
+            for (int b = 0; b < lanes; ++b)
+              sum[2][k][b] += x * zx[first + b] + y * yz[first + b] + z * zz[first + b];
+            for (int b = 0; b < lanes; ++b) sum[k][k][b] += in_line[b];
           }
-          for (int i = 0; i < 3; ++i)
-            for (int b = 0; b < lanes; ++b) sum[i][i][b] += in_line[b];
         }
         for (int i = 0; i < 3; ++i)
           for (int k = 0; k < 3; ++k)

@@ -224,8 +224,8 @@ TEST(MomentumBalance, TheWorstParticleIsNamedAlikeOnAllRanks) {
   const WorstParticle a = alone->body().worst_particle(u1), b = together->body().worst_particle(un);
   EXPECT_GE(a.id, 0);
   EXPECT_EQ(a.id, b.id);
-  EXPECT_LT(a.jacobian, 0.0);
-  EXPECT_NEAR(a.jacobian, b.jacobian, 1e-14);
+  EXPECT_LT(a.figure, 0.0);
+  EXPECT_NEAR(a.figure, b.figure, 1e-14);
   EXPECT_EQ(a.position, b.position);
   grid::Vector f1(alone->owned_map());
   const std::int64_t bad = alone->internal_force(u1, f1);
