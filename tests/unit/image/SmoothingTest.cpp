@@ -127,5 +127,44 @@ TEST(Smoothing, NothingForASigmaOfZero) {
   EXPECT_EQ(volume.values, before);
 }
 
+// A linear volume keeps its slope, but for the reach of its mirror images at the faces along the axis;
+// along z planes come from other ranks.
+TEST(Smoothing, TheDerivativeOfALinearVolumeIsItsSlope) {
+  const base::Communicator world = base::Communicator::world();
+  const Size size{14, 15, 16};
+  const std::array<double, 3> slope{2.0, -3.0, 5.0};
+  const auto linear = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    return slope[0] * static_cast<double>(x) + slope[1] * static_cast<double>(y) +
+           slope[2] * static_cast<double>(z);
+  };
+  for (const double sigma : {0.0, 1.0})
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      IntensityVolume volume = volume_of(world, size, linear);
+      image::differentiate(world, volume, static_cast<int>(axis), {sigma, sigma, sigma});
+      std::size_t voxel = 0;
+      for (std::int64_t z = 0; z < volume.planes; ++z)
+        for (std::int64_t y = 0; y < size[1]; ++y)
+          for (std::int64_t x = 0; x < size[0]; ++x, ++voxel) {
+            const std::int64_t at[3] = {x, y, z + volume.first_plane};
+            const std::int64_t reach = sigma > 0.0 ? 4 : 1;
+            if (at[axis] >= reach && at[axis] < size[axis] - reach) {
+              ASSERT_NEAR(volume.values[voxel], slope[axis], 1e-12);
+            }
+          }
+    }
+}
+
+// What lies in the margin counts nowhere, in it neither.
+TEST(Smoothing, MeansInsideLeaveOutTheMargin) {
+  const base::Communicator world = base::Communicator::world();
+  const Size size{10, 11, 12};
+  IntensityVolume volume = volume_of(world, size, [&](auto x, auto y, auto z) {
+    const bool is_inside = x >= 1 && x < 9 && y >= 2 && y < 9 && z >= 3 && z < 9;
+    return is_inside ? 7.0 : 1e6;
+  });
+  image::average_inside(world, volume, {1.0, 1.5, 2.0}, {1, 2, 3});
+  for (const double value : volume.values) ASSERT_NEAR(value, 7.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace stroma::test
