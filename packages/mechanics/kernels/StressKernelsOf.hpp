@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 #include "stroma/grid/ToDevice.hpp"
 #include "stroma/mechanics/kernels/StressKernels.hpp"
@@ -20,9 +22,13 @@ namespace stroma::mechanics {
 template <class Shape, class Law>
 class StressKernelsOf : public StressKernels {
  public:
-  /// \param laws  of all materials
-  explicit StressKernelsOf(const std::vector<Law>& laws)
-      : laws_(laws),
+  /// \param laws     of all materials
+  /// \param general  of neo-Hookean laws: kernels of the same laws in general, for what is seldom
+  ///                 asked for; what a compiler takes inline depends on how much there is in a file
+  explicit StressKernelsOf(const std::vector<Law>& laws,
+                           std::shared_ptr<const StressKernels> general = nullptr)
+      : general_(std::move(general)),
+        laws_(laws),
         law_(grid::to_device("law", laws)),
         may_be_averaged_(std::all_of(laws.begin(), laws.end(), [](const Law& law) {
           return material::may_be_averaged(law);
@@ -85,8 +91,11 @@ class StressKernelsOf : public StressKernels {
   void wave_moduli(const Points& points,
                    const Kokkos::View<const material::FiberDirection*, Device>& directions,
                    const Kokkos::View<double*, Device>& least) const override {
-    launch("wave moduli", points,
-           transfer::WaveModulus<Shape, Law, Device>{{points}, law_, directions, least});
+    if constexpr (std::is_same_v<Law, material::NeoHookean>)
+      general_->wave_moduli(points, directions, least);
+    else
+      launch("wave moduli", points,
+             transfer::WaveModulus<Shape, Law, Device>{{points}, law_, directions, least});
   }
   void update_history(const Points& points) const override {
     if constexpr (material::states_of < Law >> 0)
@@ -99,6 +108,7 @@ class StressKernelsOf : public StressKernels {
     return transfer::for_each_element<Shape::width, grid::ExecutionSpace>(name, points.box, kernel);
   }
 
+  std::shared_ptr<const StressKernels> general_;
   std::vector<Law> laws_;                 // of each material, for the host
   Kokkos::View<const Law*, Device> law_;  // of each material
   bool may_be_averaged_;
@@ -120,7 +130,8 @@ std::shared_ptr<const StressKernels> stress_kernels_of(const LawList& laws) {
   if (!are_neo_hookean) return std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all);
   std::vector<NeoHookean> alike;
   for (const AnyLaw& law : all) alike.push_back(law.matrix().as<NeoHookean>());
-  return std::make_shared<StressKernelsOf<Shape, NeoHookean>>(alike);
+  return std::make_shared<StressKernelsOf<Shape, NeoHookean>>(
+      alike, std::make_shared<StressKernelsOf<Shape, AnyLaw>>(all));
 }
 
 }  // namespace stroma::mechanics
