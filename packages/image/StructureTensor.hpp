@@ -30,7 +30,7 @@ using SymmetricTensor = std::array<double, 6>;
 /// four of these. Collective.
 ///
 /// \param communicator  of the ranks that share the image
-/// \param image         its voxel size is known
+/// \param image,scales  of a voxel size that is known
 /// \param take          take(component, its values), of SymmetricTensor in its order
 /// Source: J. Bigun, G. Granlund, Proc. First Int. Conf. Computer Vision (1987) 433.
 void structure_tensor(const base::Communicator& communicator, const voxels::IntensityVolume& image,

@@ -90,7 +90,7 @@ KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& 
 /// Stress and tangent of a law `Law` with such an energy, which gives energy(), small_strain() and
 /// its slopes(H).
 template <class Law>
-struct OfInvariants : Uncoupled {
+struct OfInvariants : Uncoupled {  // NOLINT(bugprone-crtp-constructor-accessibility): aggregates
   using Tangent = FullTangent;
 
   KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,

@@ -21,7 +21,7 @@ struct FewDirections {
   static constexpr int size = few;
   double n[3][few], weight[few];
 
-  /// \param list   at least `count` of them
+  /// \param list,count  directions, as many or more
   /// \param share  factor of their weights
   /// \param axis   if not null, their z axis is turned onto it: by a reflection, which fibres do not
   ///              tell from a turn, n - 2 v (v.n) / v.v, v = e_z - N

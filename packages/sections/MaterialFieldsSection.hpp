@@ -13,6 +13,6 @@ namespace stroma::sections {
 deck::Section<material::MaterialFields> material_fields_section();
 
 /// Looks for fields of what a material does not give, and for values that it may not have.
-void check_fields(const material::MaterialParameters& material, deck::Findings& findings);
+void check_fields(const material::MaterialParameters& p, deck::Findings& findings);
 
 }  // namespace stroma::sections

@@ -37,8 +37,8 @@ void smooth(const base::Communicator& communicator, voxels::Volume<T>& volume,
 /// The derivative along an axis of the volume smoothed by a Gaussian [1/voxel]: along the axis with
 /// weights i exp(-i^2 / (2 sigma^2)), scaled such that a linear volume has its own; 0 at a face, where
 /// the volume continues as its mirror image. Collective.
-/// \param sigma  standard deviation along x, y, z [voxels], >= 0; 0 along the axis: the central
-///               difference
+/// The standard deviation sigma is that along x, y, z [voxels], >= 0; of 0 along the axis, it is the
+/// central difference.
 template <class T>
 void differentiate(const base::Communicator& communicator, voxels::Volume<T>& volume, int axis,
                    const std::array<double, 3>& sigma);

@@ -263,14 +263,14 @@ WorstParticle Body::least_elliptic_particle(const grid::Vector& u) const {
   return worst_by(moduli);
 }
 
-WorstParticle Body::worst_by(const Kokkos::View<const double*, Device>& of_particles) const {
-  const auto figure = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), of_particles);
+WorstParticle Body::worst_by(const Kokkos::View<const double*, Device>& figure) const {
+  const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), figure);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double least = infinity;
   int worst = -1;
   for (int p = 0; p < particles_.count(); ++p)
-    if (!(figure(p) >= least)) {
-      least = std::isnan(figure(p)) ? -infinity : figure(p);
+    if (!(on_host(p) >= least)) {
+      least = std::isnan(on_host(p)) ? -infinity : on_host(p);
       worst = p;
     }
   const double least_of_all = communicator().min(least);
@@ -284,7 +284,7 @@ WorstParticle Body::worst_by(const Kokkos::View<const double*, Device>& of_parti
     };
     result.id = one(particles_.id)(worst);
     result.material = one(particles_.material)(worst);
-    result.figure = figure(worst);
+    result.figure = on_host(worst);
     const auto position = one(particles_.position);
     for (std::size_t d = 0; d < 3; ++d) result.position[d] = position(worst, static_cast<int>(d));
   }
