@@ -73,6 +73,12 @@ std::vector<VaryingNumber> numbers_that_may_vary(const MaterialParameters& mater
   return all;
 }
 
+std::vector<double> numbers_of(AnyLaw law) {
+  std::vector<double> numbers;
+  law.for_each_number([&](const NumberName&, double& number) { numbers.push_back(number); });
+  return numbers;
+}
+
 VaryingMaterial::VaryingMaterial(const MaterialParameters& material) : own_(material) {
   if (!material.fields) return;
   const std::vector<VaryingNumber> numbers = numbers_that_may_vary(material);

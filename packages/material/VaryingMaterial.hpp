@@ -27,6 +27,9 @@ struct VaryingNumber {
 /// families', its viscosity's, its drives'.
 std::vector<VaryingNumber> numbers_that_may_vary(const MaterialParameters& material);
 
+/// The numbers of a law in the order of AnyLaw::for_each_number().
+std::vector<double> numbers_of(AnyLaw law);
+
 /// The law of a material at a particle.
 class VaryingMaterial {
  public:

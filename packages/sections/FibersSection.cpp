@@ -2,6 +2,8 @@
 
 #include "stroma/sections/FibersSection.hpp"
 
+#include <utility>
+
 #include "stroma/base/Log.hpp"
 #include "stroma/sections/FieldImage.hpp"
 #include "stroma/sections/ModelNumbers.hpp"
@@ -12,21 +14,39 @@ using namespace material;
 
 namespace {
 
+/// Finds what a choice asks for and is not given, and what is given that only another uses.
+class Asking {
+ public:
+  Asking(std::string by, bool is_chosen, deck::Findings& findings)
+      : by_(std::move(by)), is_chosen_(is_chosen), findings_(findings) {}
+
+  void may_have(const char* name, bool is_given) const {
+    if (is_given && !is_chosen_) findings_.add(name, "is used with " + by_ + " only");
+  }
+  void must_have(const char* name, bool is_given) const {
+    may_have(name, is_given);
+    if (!is_given && is_chosen_) findings_.add(name, "missing; " + by_ + " asks for it");
+  }
+
+ private:
+  std::string by_;
+  bool is_chosen_;
+  deck::Findings& findings_;
+};
+
 /// What a distribution asks for, and what it leaves unused.
 void check_distribution(const FiberParameters& p, deck::Findings& findings) {
   const bool is_axial = p.distribution == Distribution::axial;
   const bool has_axis = p.distribution == Distribution::single || is_axial;
-  const bool is_ellipsoidal = p.distribution == Distribution::ellipsoidal;
-  const auto ask = [&](const char* name, bool is_given, bool is_used, const char* by) {
-    if (is_used && !is_given) findings.add(name, std::string("missing; ") + by + " asks for it");
-    if (!is_used && is_given) findings.add(name, std::string("is used with ") + by + " only");
-  };
   if (p.direction && p.direction_from)
     findings.add("Direction", "beside Direction From; admissible: one of the two");
   else
-    ask("Direction", p.direction || p.direction_from, has_axis, "Distribution = Single or Axial");
-  ask("Axes", p.axes.has_value(), is_ellipsoidal, "Distribution = Ellipsoidal");
-  ask("Concentration", p.concentration.has_value(), is_axial, "Distribution = Axial");
+    Asking("Distribution = Single or Axial", has_axis, findings)
+        .must_have("Direction", p.direction || p.direction_from);
+  Asking("Distribution = Ellipsoidal", p.distribution == Distribution::ellipsoidal, findings)
+      .must_have("Axes", p.axes.has_value());
+  Asking("Distribution = Axial", is_axial, findings)
+      .must_have("Concentration", p.concentration.has_value());
   if (p.distribution == Distribution::single && p.quadrature)
     findings.add("Quadrature", "is not used with Distribution = Single");
   if (p.direction && *p.direction == std::array<double, 3>{})
@@ -38,34 +58,24 @@ void check_images(const FiberParameters& p, deck::Findings& findings) {
   using Kind = DirectionsFromImage::Kind;
   const bool is_tensor = p.direction_from == Kind::structure_tensor;
   const bool is_images = p.direction_from == Kind::images;
-  const auto refuse = [&](const char* name, bool is_given) {
-    if (is_given) findings.add(name, "is used with Direction From = Structure Tensor only");
-  };
-  if (!is_tensor) {
-    refuse("Image", p.file.has_value());
-    refuse("Dataset", p.dataset.has_value());
-    refuse("Channel", p.channel.has_value());
-    refuse("Frame", p.frame.has_value());
-    refuse("Gradient Scale [um]", p.gradient_scale.has_value());
-    refuse("Window Scale [um]", p.window_scale.has_value());
-    refuse("Coherence Weight", p.weigh_by_coherence);
-  } else {
-    if (!p.gradient_scale)
-      findings.add("Gradient Scale [um]", "missing; Direction From = Structure Tensor asks for it");
-    if (!p.window_scale)
-      findings.add("Window Scale [um]", "missing; Direction From = Structure Tensor asks for it");
-    if (p.gradient_scale && p.window_scale && *p.window_scale < *p.gradient_scale)
-      findings.add("Window Scale [um]",
-                   base::format("found %g; admissible: at least the Gradient Scale, %g",
-                                *p.window_scale, *p.gradient_scale));
-  }
+  const Asking tensor("Direction From = Structure Tensor", is_tensor, findings);
+  tensor.may_have("Image", p.file.has_value());
+  tensor.may_have("Dataset", p.dataset.has_value());
+  tensor.may_have("Channel", p.channel.has_value());
+  tensor.may_have("Frame", p.frame.has_value());
+  tensor.must_have("Gradient Scale [um]", p.gradient_scale.has_value());
+  tensor.must_have("Window Scale [um]", p.window_scale.has_value());
+  tensor.may_have("Coherence Weight", p.weigh_by_coherence);
+  if (is_tensor && p.gradient_scale && p.window_scale && *p.window_scale < *p.gradient_scale)
+    findings.add("Window Scale [um]",
+                 base::format("found %g; admissible: at least the Gradient Scale, %g",
+                              *p.window_scale, *p.gradient_scale));
   if (is_images && p.images.size() != 3)
     findings.add("Images",
                  base::format("found %zu files; admissible: three, of the components along "
                               "x, y, z",
                               p.images.size()));
-  if (!is_images && !p.images.empty())
-    findings.add("Images", "is used with Direction From = Images only");
+  Asking("Direction From = Images", is_images, findings).may_have("Images", !p.images.empty());
 }
 
 }  // namespace

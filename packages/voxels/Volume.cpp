@@ -35,13 +35,16 @@ std::vector<T> pack(const Volume<T>& volume, const Box& part) {
 
 }  // namespace
 
+std::string name_of_voxel(const std::array<std::int64_t, 3>& in_file) {
+  return base::format("voxel (%lld, %lld, %lld)", static_cast<long long>(in_file[0]),
+                      static_cast<long long>(in_file[1]), static_cast<long long>(in_file[2]));
+}
+
 std::string name_of_voxel(const IntensityVolume& volume, std::int64_t voxel) {
   const std::int64_t row = voxel / volume.size[0];
-  const auto place = [&](std::size_t axis, std::int64_t within) {
-    return static_cast<long long>(volume.first_in_file[axis] + within);
-  };
-  return base::format("voxel (%lld, %lld, %lld)", place(0, voxel % volume.size[0]),
-                      place(1, row % volume.size[1]), place(2, row / volume.size[1]));
+  const std::array<std::int64_t, 3>& first = volume.first_in_file;
+  return name_of_voxel({first[0] + voxel % volume.size[0], first[1] + row % volume.size[1],
+                        first[2] + row / volume.size[1]});
 }
 
 template <class T>

@@ -76,8 +76,9 @@ using IntensityVolume = Volume<double>;
 /// Labels: -1 empty space, 0 and up materials.
 using LabelVolume = Volume<std::int32_t>;
 
-/// "voxel (x, y, z)", counted from 0 in the file, of the voxel with this number in the whole
-/// volume.
+/// "voxel (x, y, z)", counted from 0 in the file.
+std::string name_of_voxel(const std::array<std::int64_t, 3>& in_file);
+/// The same of the voxel with this number in the whole volume.
 std::string name_of_voxel(const IntensityVolume& volume, std::int64_t voxel);
 
 /// The values of one box of voxels of this rank's choosing, x fastest. Collective; each rank asks

@@ -22,7 +22,8 @@ namespace stroma {
 ///                  and the gain is over the material with its own moduli
 /// \param plane_strain  of cylinders along z, else in three dimensions
 /// \param has_empty_space  a line says that the bounds are those of the solid without it
-/// \return  lines for the log; none where fewer than two materials have a share and none varies
+/// \return  lines for the log; none where fewer than two materials have a share and none varies,
+///          nor where one has fibres, of which bounds of isotropic materials say nothing
 std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<double>& shares,
                                       const std::vector<material::SmallStrainModuli>& extremes,

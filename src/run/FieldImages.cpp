@@ -72,14 +72,11 @@ voxels::IntensityVolume FieldImages::read(const std::string& where,
 std::string FieldImages::name_of_voxel(std::size_t particle) const {
   const voxels::Box& box = particles_->box;
   const auto number = static_cast<std::int64_t>(particles_->number[particle]);
-  const std::array<std::int64_t, 3> in_box{number % box.count[0],
-                                           number / box.count[0] % box.count[1],
-                                           number / (box.count[0] * box.count[1])};
+  std::array<std::int64_t, 3> in_file{number % box.count[0], number / box.count[0] % box.count[1],
+                                      number / (box.count[0] * box.count[1])};
   const auto& region = deck_->parameters.image.region;
-  std::array<long long, 3> voxel{};
-  for (std::size_t d = 0; d < 3; ++d)
-    voxel[d] = static_cast<long long>(box.first[d] + in_box[d]) + (region ? (*region)[d] : 0);
-  return format("voxel (%lld, %lld, %lld)", voxel[0], voxel[1], voxel[2]);
+  for (std::size_t d = 0; d < 3; ++d) in_file[d] += box.first[d] + (region ? (*region)[d] : 0);
+  return voxels::name_of_voxel(in_file);
 }
 
 const std::vector<double>& FieldImages::intensities(const std::string& where,

@@ -169,14 +169,12 @@ class Walk {
 /// Numbers that differ from the material's own at some particle of any rank. Collective.
 std::vector<int> which_vary(const base::Communicator& communicator, const AnyLaw& at_rest,
                             Walk& walk) {
-  const std::vector<double> own = numbers_of(at_rest);
+  const std::vector<double> own = material::numbers_of(at_rest);
   std::vector<double> differs(own.size(), 0.0);
-  walk.for_each([&](int, AnyLaw law) {
-    std::size_t n = 0;
-    law.for_each_number([&](const material::NumberName&, double& number) {
-      if (number != own[n]) differs[n] = 1.0;
-      ++n;
-    });
+  walk.for_each([&](int, const AnyLaw& law) {
+    const std::vector<double> numbers = material::numbers_of(law);
+    for (std::size_t n = 0; n < own.size(); ++n)
+      if (numbers[n] != own[n]) differs[n] = 1.0;
   });
   communicator.sum_all(differs.data(), differs.size());
   std::vector<int> which;
@@ -219,13 +217,6 @@ std::string unit_of(const std::string& deck_name) {
 
 }  // namespace
 
-std::vector<double> numbers_of(AnyLaw law) {
-  std::vector<double> numbers;
-  law.for_each_number(
-      [&](const material::NumberName&, double& number) { numbers.push_back(number); });
-  return numbers;
-}
-
 OwnNumbers give_own_numbers(const base::Communicator& communicator, FieldImages& images,
                             const NamedMaterials& materials,
                             particles::Particles<grid::Device>& particles) {
@@ -258,7 +249,7 @@ OwnNumbers give_own_numbers(const base::Communicator& communicator, FieldImages&
     if (!walks[m]) continue;
     material::SmallStrainModuli softest{infinity, infinity}, stiffest{0.0, 0.0};
     walks[m]->for_each([&](int p, const AnyLaw& law) {
-      const std::vector<double> numbers = numbers_of(law);
+      const std::vector<double> numbers = material::numbers_of(law);
       for (std::size_t c = 0; c < own.which[m].size(); ++c)
         values(p, static_cast<int>(c)) = numbers[static_cast<std::size_t>(own.which[m][c])];
       const material::SmallStrainModuli moduli = law.small_strain();

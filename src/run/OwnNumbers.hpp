@@ -32,9 +32,6 @@ OwnNumbers give_own_numbers(const base::Communicator& communicator, FieldImages&
                             const material::NamedMaterials& materials,
                             particles::Particles<grid::Device>& particles);
 
-/// The numbers of a law in the order of AnyLaw::for_each_number().
-std::vector<double> numbers_of(material::AnyLaw law);
-
 /// A number of the laws that varies, as particles.e shows it.
 struct ShownNumber {
   std::string name, unit;  ///< "shear_modulus", "Pa"

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "run/OwnNumbers.hpp"
+#include "stroma/material/VaryingMaterial.hpp"
 #include "stroma/particles/Fields.hpp"
 
 namespace stroma {
@@ -18,7 +19,7 @@ std::vector<ShownValues> shown_of_laws(const material::NamedMaterials& materials
   const std::vector<ShownNumber> numbers = shown_numbers(materials, which);
   std::vector<std::vector<double>> of_material;
   for (const auto& named : materials)
-    of_material.push_back(numbers_of(material::law_at_rest(named.second)));
+    of_material.push_back(material::numbers_of(material::law_at_rest(named.second)));
   const particles::HostParticles host = particles::on_host(particles);
   std::vector<ShownValues> shown;
   for (const ShownNumber& number : numbers) {

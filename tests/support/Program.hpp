@@ -98,4 +98,14 @@ class History {
   std::map<std::string, std::vector<double>> columns_;
 };
 
+/// Writes a deck NAME.yaml, runs it into the folder NAME beside it, and reads its history.
+inline History run_deck(const TemporaryFolder& folder, const std::string& name,
+                        const std::string& deck, int ranks = 1) {
+  folder.write(name + ".yaml", deck);
+  const Outcome outcome =
+      run_stroma(folder.path(), "run " + name + ".yaml -o " + name + " --quiet", ranks);
+  EXPECT_EQ(outcome.status, 0) << deck << outcome.standard_error;
+  return History(folder.path() / name / "history.csv");
+}
+
 }  // namespace stroma::test

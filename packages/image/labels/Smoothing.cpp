@@ -19,35 +19,39 @@ std::int64_t mirrored(std::int64_t i, std::int64_t n) {
   return folded < n ? folded : period - 1 - folded;
 }
 
-/// Weights at -r, ..., r of each value's neighbours along an axis.
+/// Weights at -r, ..., r of each value's neighbours in lines of n values.
 class LineFilter {
  public:
   /// Lines are continued by their mirror images.
-  explicit LineFilter(std::vector<double> weights) : weights_(std::move(weights)) {}
+  LineFilter(std::vector<double> weights, std::int64_t n)
+      : weights_(std::move(weights)), n_(n), scale_(static_cast<std::size_t>(n), 1.0) {}
   /// Means of what lies inside, at least `margin` values off the ends.
-  LineFilter(std::vector<double> weights, std::int64_t margin)
-      : weights_(std::move(weights)), is_mirrored_(false), margin_(margin) {}
+  LineFilter(std::vector<double> weights, std::int64_t n, std::int64_t margin)
+      : weights_(std::move(weights)), n_(n), is_mirrored_(false), margin_(margin) {
+    for (std::int64_t i = 0; i < n; ++i) {
+      double sum = 0.0;
+      for (std::int64_t w = -reach(); w <= reach(); ++w)
+        if (source(i + w) >= 0) sum += weight(w);
+      scale_.push_back(1.0 / sum);
+    }
+  }
 
   std::int64_t reach() const { return static_cast<std::int64_t>(weights_.size() / 2); }
   double weight(std::int64_t w) const { return weights_[static_cast<std::size_t>(w + reach())]; }
-  /// Whose value stands at position i, in a line of n values, itself or beyond; -1: none.
-  std::int64_t source(std::int64_t i, std::int64_t n) const {
-    if (is_mirrored_) return mirrored(i, n);
-    return i >= margin_ && i < n - margin_ ? i : -1;
+  /// Whose value stands at position i, in the line or beyond; -1: none.
+  std::int64_t source(std::int64_t i) const {
+    if (is_mirrored_) return mirrored(i, n_);
+    return i >= margin_ && i < n_ - margin_ ? i : -1;
   }
   /// What the sum at position i is multiplied by.
-  double scale(std::int64_t i, std::int64_t n) const {
-    if (is_mirrored_) return 1.0;
-    double sum = 0.0;
-    for (std::int64_t w = -reach(); w <= reach(); ++w)
-      if (source(i + w, n) >= 0) sum += weight(w);
-    return 1.0 / sum;
-  }
+  double scale(std::int64_t i) const { return scale_[static_cast<std::size_t>(i)]; }
 
  private:
   std::vector<double> weights_;
+  std::int64_t n_;
   bool is_mirrored_ = true;
   std::int64_t margin_ = 0;
+  std::vector<double> scale_;
 };
 
 template <class T>
@@ -55,14 +59,14 @@ void filter_line(const LineFilter& filter, std::int64_t n, T* line, std::vector<
   const std::int64_t r = filter.reach();
   extended.resize(static_cast<std::size_t>(n + 2 * r));
   for (std::int64_t i = -r; i < n + r; ++i) {
-    const std::int64_t source = filter.source(i, n);
+    const std::int64_t source = filter.source(i);
     extended[static_cast<std::size_t>(i + r)] = source < 0 ? 0.0 : line[source];
   }
   for (std::int64_t i = 0; i < n; ++i) {
     double sum = 0.0;
     for (std::int64_t w = -r; w <= r; ++w)
       sum += filter.weight(w) * extended[static_cast<std::size_t>(i + w + r)];
-    line[i] = static_cast<T>(filter.scale(i, n) * sum);
+    line[i] = static_cast<T>(filter.scale(i) * sum);
   }
 }
 
@@ -75,14 +79,14 @@ void filter_rows(const LineFilter& filter, std::int64_t rows, std::int64_t row_l
   for (std::int64_t j = 0; j < rows; ++j) {
     std::fill(sum.begin(), sum.end(), 0.0);
     for (std::int64_t w = -r; w <= r; ++w) {
-      const std::int64_t source = filter.source(j + w, rows);
+      const std::int64_t source = filter.source(j + w);
       if (source < 0) continue;
       const double weight = filter.weight(w);
       const T* row = original.data() + source * row_length;
       for (std::int64_t i = 0; i < row_length; ++i)
         sum[static_cast<std::size_t>(i)] += weight * row[i];
     }
-    const double scale = filter.scale(j, rows);
+    const double scale = filter.scale(j);
     std::transform(sum.begin(), sum.end(), plane + j * row_length,
                    [=](double s) { return static_cast<T>(scale * s); });
   }
@@ -99,7 +103,7 @@ void filter_planes(const base::Communicator& communicator, voxels::Volume<T>& vo
   std::int64_t first = planes, last = -1;
   for (std::int64_t k = volume.first_plane - r;
        k < volume.first_plane + volume.planes + r && volume.planes > 0; ++k) {
-    const std::int64_t source = filter.source(k, planes);
+    const std::int64_t source = filter.source(k);
     if (source < 0) continue;
     first = std::min(first, source);
     last = std::max(last, source);
@@ -112,13 +116,13 @@ void filter_planes(const base::Communicator& communicator, voxels::Volume<T>& vo
   for (std::int64_t k = 0; k < volume.planes; ++k) {
     std::fill(sum.begin(), sum.end(), 0.0);
     for (std::int64_t w = -r; w <= r; ++w) {
-      const std::int64_t source = filter.source(volume.first_plane + k + w, planes);
+      const std::int64_t source = filter.source(volume.first_plane + k + w);
       if (source < 0) continue;
       const double weight = filter.weight(w);
       const T* plane = around.data() + (source - first) * volume.plane_voxels();
       for (std::size_t i = 0; i < plane_voxels; ++i) sum[i] += weight * plane[i];
     }
-    const double scale = filter.scale(volume.first_plane + k, planes);
+    const double scale = filter.scale(volume.first_plane + k);
     std::transform(sum.begin(), sum.end(), volume.plane(k),
                    [=](double s) { return static_cast<T>(scale * s); });
   }
@@ -191,6 +195,11 @@ void apply(const base::Communicator& communicator, voxels::Volume<T>& volume,
     filter_planes(communicator, volume, *along_z);
 }
 
+/// Those of a Gaussian no wider than where it leaves the mean alone.
+std::vector<double> weights_within(double sigma, std::int64_t n) {
+  return gaussian_weights(std::min(sigma, mean_from * static_cast<double>(n)));
+}
+
 /// Of a Gaussian's weights: in proportion to place, such that a line that rises by 1 from value to
 /// value has the derivative 1.
 std::vector<double> derivative_of(std::vector<double> weights) {
@@ -230,7 +239,7 @@ void smooth(const base::Communicator& communicator, voxels::Volume<T>& volume,
   std::array<std::optional<LineFilter>, 3> filter;  // none along an axis: the mean is taken there
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!smooths_to_mean(sigma[axis], volume.size[axis]))
-      filter[axis].emplace(gaussian_weights(sigma[axis]));
+      filter[axis].emplace(gaussian_weights(sigma[axis]), volume.size[axis]);
   apply(communicator, volume, filter);
 }
 
@@ -239,10 +248,9 @@ void differentiate(const base::Communicator& communicator, voxels::Volume<T>& vo
                    const std::array<double, 3>& sigma) {
   std::array<std::optional<LineFilter>, 3> filter;
   for (std::size_t d = 0; d < 3; ++d) {
-    std::vector<double> weights =
-        gaussian_weights(std::min(sigma[d], mean_from * static_cast<double>(volume.size[d])));
+    std::vector<double> weights = weights_within(sigma[d], volume.size[d]);
     if (d == static_cast<std::size_t>(axis)) weights = derivative_of(weights);
-    filter[d].emplace(std::move(weights));
+    filter[d].emplace(std::move(weights), volume.size[d]);
   }
   apply(communicator, volume, filter);
 }
@@ -252,9 +260,7 @@ void average_inside(const base::Communicator& communicator, voxels::Volume<T>& v
                     const std::array<double, 3>& sigma, const std::array<std::int64_t, 3>& margin) {
   std::array<std::optional<LineFilter>, 3> filter;
   for (std::size_t d = 0; d < 3; ++d)
-    filter[d].emplace(
-        gaussian_weights(std::min(sigma[d], mean_from * static_cast<double>(volume.size[d]))),
-        margin[d]);
+    filter[d].emplace(weights_within(sigma[d], volume.size[d]), volume.size[d], margin[d]);
   apply(communicator, volume, filter);
 }
 

@@ -231,6 +231,16 @@ double uniaxial_force(const material::AnyLaw& law, double stretch) {
   return state(thin)(1, 1) / stretch * 16.0;
 }
 
+/// Runs an input deck into the folder "out", without pictures.
+/// \param settings  of --set
+Outcome run_input(const TemporaryFolder& results, const fs::path& deck,
+                  const std::vector<std::string>& settings) {
+  std::string line =
+      "run " + quoted(decks / deck) + " -o out --quiet --set 'Output|Pictures=false'";
+  for (const std::string& setting : settings) line += " --set '" + setting + "'";
+  return run_stroma(results.path(), line);
+}
+
 // 09_tissue_laws: each law's bar, against the law itself.
 TEST(TissueLawsDeck, PullsEachBarAsItsLawSays) {
   const double nu = 0.3, K = material::bulk_modulus(500.0, nu);
@@ -247,15 +257,15 @@ TEST(TissueLawsDeck, PullsEachBarAsItsLawSays) {
           {material::bulk_modulus(chains.small_strain().shear, nu)}, 321.8100652, 2.0},
   };
   const TemporaryFolder results;
-  const std::string deck = quoted(decks / "09_tissue_laws" / "deck.yaml");
-  ASSERT_EQ(run_stroma(results.path(), "check " + deck).status, 0);
+  ASSERT_EQ(
+      run_stroma(results.path(), "check " + quoted(decks / "09_tissue_laws" / "deck.yaml")).status,
+      0);
   int label = 0;
   for (const material::AnyLaw& law : laws) {
     SCOPED_TRACE("label " + std::to_string(label));
-    const Outcome run = run_stroma(
-        results.path(), "run " + deck + " -o out --quiet --set 'Output|Pictures=false'" +
-                            " --set 'Image|Phantom|Shapes|bar|Label=" + std::to_string(label++) +
-                            "' --set 'Loading|Steps=5'");
+    const Outcome run =
+        run_input(results, "09_tissue_laws/deck.yaml",
+                  {"Image|Phantom|Shapes|bar|Label=" + std::to_string(label++), "Loading|Steps=5"});
     ASSERT_EQ(run.status, 0) << run.standard_error;
     const History history(results.path() / "out" / "history.csv");
     for (std::size_t s = 1; s < history.rows(); ++s) {
@@ -271,13 +281,10 @@ TEST(TissueLawsDeck, PullsAsTheLawSaysInOneStep) {
   const TemporaryFolder results;
   for (const double c2 : {5.0, 10.0, 20.0}) {
     SCOPED_TRACE("C2 = " + std::to_string(c2));
-    const Outcome run = run_stroma(
-        results.path(), "run " + quoted(decks / "09_tissue_laws" / "deck.yaml") +
-                            " -o out --quiet --set 'Output|Pictures=false'"
-                            " --set 'Image|Phantom|Shapes|bar|Label=5'"
-                            " --set 'Boundary Conditions|top|Strain=1' --set 'Loading|Steps=1'"
-                            " --set 'Materials|Veronda-Westmann|C2=" +
-                            std::to_string(c2) + "'");
+    const Outcome run =
+        run_input(results, "09_tissue_laws/deck.yaml",
+                  {"Image|Phantom|Shapes|bar|Label=5", "Boundary Conditions|top|Strain=1",
+                   "Loading|Steps=1", "Materials|Veronda-Westmann|C2=" + std::to_string(c2)});
     ASSERT_EQ(run.status, 0) << run.standard_error;
     const History history(results.path() / "out" / "history.csv");
     const material::VerondaWestmann law{{material::bulk_modulus(250.0 * c2, 0.3)}, 250.0, c2};
@@ -318,13 +325,10 @@ TEST(RampAndHoldDeck, RelaxesTowardsTheElasticForce) {
 TEST(TissueLawsDeck, TellWhereEllipticityIsLost) {
   const TemporaryFolder results;
   const Outcome run =
-      run_stroma(results.path(), "run " + quoted(decks / "09_tissue_laws" / "deck.yaml") +
-                                     " -o out --quiet --set 'Output|Pictures=false'"
-                                     " --set 'Image|Phantom|Shapes|bar|Label=4'"
-                                     " --set 'Materials|Yeoh|C [Pa]={250, -150, 0}'"
-                                     " --set 'Boundary Conditions|top|Strain=1.5'"
-                                     " --set 'Boundary Conditions|top|Components=xyz'"
-                                     " --set 'Loading|Smallest Step=0.01'");
+      run_input(results, "09_tissue_laws/deck.yaml",
+                {"Image|Phantom|Shapes|bar|Label=4", "Materials|Yeoh|C [Pa]={250, -150, 0}",
+                 "Boundary Conditions|top|Strain=1.5", "Boundary Conditions|top|Components=xyz",
+                 "Loading|Smallest Step=0.01"});
   EXPECT_EQ(run.status, 1);
   for (const char* words : {"lost ellipticity: particle id ", "material \"Yeoh\", at (",
                             "a plane wave has a modulus of -"})
@@ -335,17 +339,15 @@ TEST(TissueLawsDeck, TellWhereEllipticityIsLost) {
 // 11_fiber_gel: fibres at 30 degrees to x make the gel several times stiffer along x than along y.
 TEST(FiberGelDeck, IsStifferAlongItsFibres) {
   const TemporaryFolder results;
-  const std::string deck = quoted(decks / "11_fiber_gel" / "deck.yaml");
-  const Outcome check = run_stroma(results.path(), "check " + deck);
+  const fs::path deck = fs::path("11_fiber_gel") / "deck.yaml";
+  const Outcome check = run_stroma(results.path(), "check " + quoted(decks / deck));
   EXPECT_NE(check.standard_output.find("mean squares along x, y, z 0.7"), std::string::npos)
       << check.standard_output;
   const auto force = [&](const std::string& axis) {
-    const Outcome run = run_stroma(
-        results.path(), "run " + deck + " -o out --quiet --set 'Output|Pictures=false'" +
-                            " --set 'Loading|Steps=2'"
-                            " --set 'Grid|Element Size [um]={6, 6, 6}'"
-                            " --set 'Boundary Conditions|left|Face=" +
-                            axis + "-' --set 'Boundary Conditions|right|Face=" + axis + "+'");
+    const Outcome run = run_input(results, deck,
+                                  {"Loading|Steps=2", "Grid|Element Size [um]={6, 6, 6}",
+                                   "Boundary Conditions|left|Face=" + axis + "-",
+                                   "Boundary Conditions|right|Face=" + axis + "+"});
     EXPECT_EQ(run.status, 0) << run.standard_error;
     return History(results.path() / "out" / "history.csv")["right.reaction_" + axis].back();
   };
@@ -376,12 +378,9 @@ double drawn_in(const fs::path& file, double least, double most) {
 TEST(ContractingCellDeck, ReachesFurtherInCollagen) {
   const TemporaryFolder results;
   const auto share_left = [&](int label) {
-    const Outcome run =
-        run_stroma(results.path(), "run " + quoted(decks / "12_contracting_cell" / "deck.yaml") +
-                                       " -o out --quiet --set 'Output|Pictures=false'"
-                                       " --set 'Materials|collagen|Fibers|fibres|Quadrature=3'"
-                                       " --set 'Image|Phantom|Shapes|gel|Label=" +
-                                       std::to_string(label) + "'");
+    const Outcome run = run_input(results, "12_contracting_cell/deck.yaml",
+                                  {"Materials|collagen|Fibers|fibres|Quadrature=3",
+                                   "Image|Phantom|Shapes|gel|Label=" + std::to_string(label)});
     EXPECT_EQ(run.status, 0) << run.standard_error;
     const fs::path file = results.path() / "out" / "particles.e";
     return drawn_in(file, 36.0, 44.0) / drawn_in(file, 10.0, 12.0);
@@ -396,10 +395,8 @@ TEST(ContractingCellDeck, ReachesFurtherInCollagen) {
 TEST(GrowingVesselDeck, GrowsToTwiceItsVolume) {
   const TemporaryFolder results;
   const Outcome run =
-      run_stroma(results.path(), "run " + quoted(decks / "13_growing_vessel" / "deck.yaml") +
-                                     " -o out --quiet --set 'Output|Pictures=false'"
-                                     " --set 'Materials|vessel|Growth|Ratio=2'"
-                                     " --set 'Grid|Element Size [um]={2, 2, 4}'");
+      run_input(results, "13_growing_vessel/deck.yaml",
+                {"Materials|vessel|Growth|Ratio=2", "Grid|Element Size [um]={2, 2, 4}"});
   ASSERT_EQ(run.status, 0) << run.standard_error;
   const History history(results.path() / "out" / "history.csv");
   const auto& volume = history["vessel.volume"];

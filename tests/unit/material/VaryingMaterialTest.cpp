@@ -36,12 +36,6 @@ MaterialParameters tissue() {
   return material;
 }
 
-std::vector<double> numbers_of(AnyLaw law) {
-  std::vector<double> numbers;
-  law.for_each_number([&](const NumberName&, double& number) { numbers.push_back(number); });
-  return numbers;
-}
-
 /// Places in which two laws differ.
 std::vector<int> differences(const AnyLaw& a, const AnyLaw& b) {
   const std::vector<double> of_a = numbers_of(a), of_b = numbers_of(b);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "WriteStack.hpp"
 #include "support/ExodusReader.hpp"
 #include "support/FiberPhantom.hpp"
+#include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
@@ -43,15 +43,6 @@ std::string deck(const std::string& file, const std::string& voxel, const std::s
   return text + "  Loading:\n    Steps: 1\n  Output:\n    Pictures: false\n";
 }
 
-History run(const TemporaryFolder& folder, const std::string& name, const std::string& text,
-            int ranks = 1) {
-  folder.write(name + ".yaml", text);
-  const Outcome outcome =
-      run_stroma(folder.path(), "run " + name + ".yaml -o " + name + " --quiet", ranks);
-  EXPECT_EQ(outcome.status, 0) << text << outcome.standard_error;
-  return History(folder.path() / name / "history.csv");
-}
-
 const std::string collagen = R"(      Model: Coupled Neo-Hookean
       Shear Modulus [Pa]: 100
       Poisson Ratio: 0.3
@@ -74,9 +65,9 @@ TEST(DirectionsFromImage, GiveTheStiffnessOfTheExactOnes) {
   write_stack<float>(folder, "gel", {48, 48, 24}, phantom);
   for (const char pulled : {'x', 'y'}) {
     const auto force = [&](const std::string& name, const std::string& direction, int ranks) {
-      return run(folder, name,
-                 deck("gel.mhd", "[0.5, 0.5, 1.0]", "[2, 2, 2]", collagen, direction, pulled),
-                 ranks)[std::string("pulled.reaction_") + pulled]
+      return run_deck(folder, name,
+                      deck("gel.mhd", "[0.5, 0.5, 1.0]", "[2, 2, 2]", collagen, direction, pulled),
+                      ranks)[std::string("pulled.reaction_") + pulled]
           .at(1);
     };
     const double exact = force("exact", "          Direction: " + joined(n) + "\n", 1);
@@ -148,7 +139,7 @@ TEST(DirectionsFromImage, OfComponentsAreThoseOfTheDeck) {
   for (const auto& choice : choices) {
     SCOPED_TRACE(choice.name);
     const auto result = [&](const std::string& name, const std::string& direction) {
-      return run(
+      return run_deck(
           folder, name,
           deck("gel.mhd", "[1, 1, 1]", "[2, 2, 2]", choice.model, direction + choice.more, 'y'));
     };

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "WriteStack.hpp"
 #include "support/ExodusReader.hpp"
+#include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
@@ -127,15 +127,6 @@ std::string two_materials(const Varying& number) {
          material("bar", 1, with(number.material, number.high));
 }
 
-History run(const TemporaryFolder& folder, const std::string& name, const std::string& text,
-            int ranks = 1) {
-  folder.write(name + ".yaml", text);
-  const Outcome outcome =
-      run_stroma(folder.path(), "run " + name + ".yaml -o " + name + " --quiet", ranks);
-  EXPECT_EQ(outcome.status, 0) << text << outcome.standard_error;
-  return History(folder.path() / name / "history.csv");
-}
-
 void expect_same_bits(const History& one, const History& other) {
   for (const char* column : {"strain_energy", "bottom.reaction_x", "bottom.reaction_y",
                              "top.reaction_x", "top.reaction_y", "top.reaction_z"})
@@ -151,9 +142,9 @@ TEST(NumbersFromImage, AreTwoMaterials) {
   for (const Varying& number : varying) {
     SCOPED_TRACE(number.parameter);
     const History field_run =
-        run(folder, "field", deck(thresholded(1000), material("gel", 0, field(number))));
+        run_deck(folder, "field", deck(thresholded(1000), material("gel", 0, field(number))));
     expect_same_bits(field_run,
-                     run(folder, "labels", deck(thresholded(100), two_materials(number))));
+                     run_deck(folder, "labels", deck(thresholded(100), two_materials(number))));
     EXPECT_NE(field_run["top.reaction_y"].at(2), 0.0);
   }
 }
@@ -171,16 +162,17 @@ TEST(NumbersFromImage, MayComeFromAnotherImage) {
   const std::string expected = deck(thresholded(100), two_materials(varying[3]));
   for (const int ranks : {1, 2})
     expect_same_bits(
-        run(folder, "other",
+        run_deck(
+            folder, "other",
             deck(of_labels, material("gel", 7, field(varying[3], "          Image: gel.mhd\n"))),
             ranks),
-        run(folder, "expected", expected, ranks));
+        run_deck(folder, "expected", expected, ranks));
 }
 
 TEST(NumbersFromImage, AreShownAndChecked) {
   const TemporaryFolder folder;
   write_stack<std::uint8_t>(folder, "gel", size, bar);
-  run(folder, "field", deck(thresholded(1000), material("gel", 0, field(varying[3]))));
+  run_deck(folder, "field", deck(thresholded(1000), material("gel", 0, field(varying[3]))));
   const ExodusReader file(folder.path() / "field" / "particles.e");
   const auto xi =
       file.variable(file.steps(), EX_ELEM_BLOCK, "collagen_xi", 1, file.counts.num_elem);

@@ -22,7 +22,6 @@ using tensor::Tensor3;
 using test::fibers_of;
 using test::material_of;
 using test::Specimen;
-using Vector3 = std::array<double, 3>;
 
 base::Communicator world() { return base::Communicator::world(); }
 
@@ -106,28 +105,19 @@ TEST_P(EachLaw, IsFreeOfStressInRigidMotion) {
     for (const bool reset : {false, true}) {
       SCOPED_TRACE(law.name + (reset ? ", reset" : ""));
       mechanics::MovingBody body = specimen_of(law, GetParam(), reset).moving_body(world());
-      const Tensor3 step = test::turn({0.3, -0.5, 1.0}, 40.0 / 180.0 * std::acos(-1.0));
-      const Vector3 way{0.77 * 2.1, -0.77 * 2.1, 0.77 * 2.0};
-      Tensor3 R = tensor::identity();
-      Vector3 t{};
+      const test::RigidMotion step{test::turn({0.3, -0.5, 1.0}, 40.0 / 180.0 * std::acos(-1.0)),
+                                   {0.77 * 2.1, -0.77 * 2.1, 0.77 * 2.0}};
+      test::RigidMotion motion;
       double largest = 0.0;
       for (int n = 1; n <= 6; ++n) {
-        Vector3 next = way;
-        for (int c = 0; c < 3; ++c)
-          for (int d = 0; d < 3; ++d)
-            next[static_cast<std::size_t>(c)] += step(c, d) * t[static_cast<std::size_t>(d)];
-        R = step * R;
-        t = next;
+        motion = step.after(motion);
         body.begin_step();
-        const Tensor3& turned = reset ? step : R;  // since the base
-        const Vector3& moved = reset ? way : t;
+        const test::RigidMotion& since_base = reset ? step : motion;
         const auto& balance = body.balance();
         const grid::Grid& grid = balance.halo().partition().grid();
         grid::Vector u(balance.owned_map());
         test::fill(balance.halo(), u, [&](const grid::Index3& node, int c) {
-          const auto x = grid.node_position(node);
-          return turned(c, 0) * x[0] + turned(c, 1) * x[1] + turned(c, 2) * x[2] +
-                 moved[static_cast<std::size_t>(c)] - x[static_cast<std::size_t>(c)];
+          return since_base.displacement(grid.node_position(node), c);
         });
         const auto fields = balance.body().particle_fields(u);
         for (int p = 0; p < balance.body().particles().count(); ++p)

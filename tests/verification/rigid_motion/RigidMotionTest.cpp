@@ -129,30 +129,21 @@ TEST_P(RigidMotion, OfTheNodesIsThatOfTheParticles) {
         mechanics::MovingBody body =
             test::shifted_body(world(), specimen, shift_of(start, specimen));
         const auto at_start = positions(body);
-        const Tensor3 step = turn(plane_strain ? Vector3{0, 0, 1} : Vector3{0.3, -0.5, 1.0},
-                                  40.0 / 180.0 * std::acos(-1.0));
-        const Vector3 way{0.77 * 2.1, -0.77 * 2.1, plane_strain ? 0.0 : 0.77 * 2.0};
-        Tensor3 R = tensor::identity();
-        Vector3 t{};
+        const test::RigidMotion step{turn(plane_strain ? Vector3{0, 0, 1} : Vector3{0.3, -0.5, 1.0},
+                                          40.0 / 180.0 * std::acos(-1.0)),
+                                     {0.77 * 2.1, -0.77 * 2.1, plane_strain ? 0.0 : 0.77 * 2.0}};
+        test::RigidMotion motion;
         for (int n = 1; n <= 6; ++n) {
-          Vector3 t_next = way;
-          for (int c = 0; c < 3; ++c)
-            for (int d = 0; d < 3; ++d)
-              t_next[static_cast<std::size_t>(c)] += step(c, d) * t[static_cast<std::size_t>(d)];
-          R = step * R;
-          t = t_next;
+          motion = step.after(motion);
           body.begin_step();
-          const Tensor3& turned = reset ? step : R;  // since the base
-          const Vector3& moved = reset ? way : t;
+          const test::RigidMotion& since_base = reset ? step : motion;
           const auto& balance = body.balance();
           const grid::Grid& grid = balance.halo().partition().grid();
           grid::Vector u(balance.owned_map());
           test::fill(balance.halo(), u, [&](const grid::Index3& node, int c) {
-            const auto x = grid.node_position(node);
-            return turned(c, 0) * x[0] + turned(c, 1) * x[1] + turned(c, 2) * x[2] +
-                   moved[static_cast<std::size_t>(c)] - x[static_cast<std::size_t>(c)];
+            return since_base.displacement(grid.node_position(node), c);
           });
-          expect_rigid(body, u, at_start, R, t, specimen.laws[0].shear_modulus);
+          expect_rigid(body, u, at_start, motion.R, motion.t, specimen.laws[0].shear_modulus);
           grid::Vector force(balance.owned_map());
           EXPECT_EQ(balance.internal_force(u, force), 0);
           EXPECT_LT(force.normInf(), 1e-9 * specimen.laws[0].shear_modulus * 2.1 * 2.1);

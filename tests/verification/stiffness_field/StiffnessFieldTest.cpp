@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/material/VaryingMaterial.hpp"
 #include "stroma/particles/Fields.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
@@ -22,15 +23,6 @@ using particles::Particles;
 base::Communicator world() { return base::Communicator::world(); }
 
 constexpr double soft = 520.8, stiff = 1041.6;
-
-/// The first two numbers of a law: its moduli.
-std::vector<double> moduli_in(material::AnyLaw law) {
-  std::vector<double> moduli;
-  law.for_each_number([&](const material::NumberName&, double& number) {
-    if (moduli.size() < 2) moduli.push_back(number);
-  });
-  return moduli;
-}
 
 /// All moduli in proportion.
 material::AnyLaw stiffened(material::AnyLaw law) {
@@ -67,7 +59,9 @@ Body with_a_field(const test::Specimen& specimen, const material::AnyLaw& law) {
   auto& particles = body.particles;
   particles::allocate(particles.own_numbers, "own_numbers",
                       static_cast<std::size_t>(particles.count()), 2);
-  const std::vector<double> of_soft = moduli_in(law), of_stiff = moduli_in(stiffened(law));
+  // moduli come first
+  const std::vector<double> of_soft = material::numbers_of(law),
+                            of_stiff = material::numbers_of(stiffened(law));
   for (int p = 0; p < particles.count(); ++p) {
     for (int n = 0; n < 2; ++n)
       particles.own_numbers(p, n) =

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "support/ExodusReader.hpp"
-#include "support/Program.hpp"
+#include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
@@ -17,17 +17,7 @@ int bar(int i, int /*j*/, int k) { return i >= 3 && i < 9 && k >= 2 && k < 8 ? 2
 /// Intensities from 0 to 240.
 int ramp(int i, int j, int k) { return 8 * i + 4 * j + 4 * k; }
 
-/// A stack of 16 x 20 x 12 voxels.
-void write_image(const TemporaryFolder& folder, int (*intensity)(int, int, int)) {
-  folder.write("gel.mhd",
-               "ObjectType = Image\nNDims = 3\nDimSize = 16 20 12\nElementType = MET_UCHAR\n"
-               "ElementDataFile = gel.raw\n");
-  std::string bytes;
-  for (int k = 0; k < 12; ++k)
-    for (int j = 0; j < 20; ++j)
-      for (int i = 0; i < 16; ++i) bytes += static_cast<char>(intensity(i, j, k));
-  folder.write("gel.raw", bytes);
-}
+constexpr std::array<int, 3> size{16, 20, 12};
 
 std::string deck(const std::string& threshold, const std::string& materials) {
   return R"(Stroma:
@@ -78,28 +68,19 @@ const std::string vessel = R"(    vessel:
       Poisson Ratio: 0.4
 )";
 
-void run(const TemporaryFolder& folder, const std::string& name, const std::string& text,
-         int ranks) {
-  folder.write(name + ".yaml", text);
-  const Outcome outcome =
-      run_stroma(folder.path(), "run " + name + ".yaml -o " + name + " --quiet", ranks);
-  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
-}
-
 // V-FIELD-3. The same bits: one material with a field of two values, twice one the other, and two
 // materials, with reset; on two ranks, too.
 TEST(StiffnessFromImage, IsTwoMaterials) {
   const TemporaryFolder folder;
-  write_image(folder, bar);
+  write_stack<std::uint8_t>(folder, "gel", size, bar);
   for (const int ranks : {1, 2}) {
-    run(folder, "field", deck("1000", field("[40, 200]", "[520.8, 1041.6]")), ranks);
-    run(folder, "labels", deck("100", vessel), ranks);
-    const History field(folder.path() / "field" / "history.csv"),
-        labels(folder.path() / "labels" / "history.csv");
+    const History by_field =
+        run_deck(folder, "field", deck("1000", field("[40, 200]", "[520.8, 1041.6]")), ranks);
+    const History labels = run_deck(folder, "labels", deck("100", vessel), ranks);
     for (const char* column : {"strain_energy", "bottom.reaction_x", "bottom.reaction_y",
                                "bottom.reaction_z", "newton_iterations", "residual"})
-      EXPECT_EQ(field[column], labels[column]) << column;
-    EXPECT_GT(std::abs(field["top.reaction_y"].back()), 1e4);
+      EXPECT_EQ(by_field[column], labels[column]) << column;
+    EXPECT_GT(std::abs(by_field["top.reaction_y"].back()), 1e4);
   }
 }
 
@@ -107,9 +88,9 @@ TEST(StiffnessFromImage, IsTwoMaterials) {
 // steps, wherever the particle has gone: linear between three points, constant beyond them.
 TEST(StiffnessFromImage, IsTheMapOfTheVoxelsIntensity) {
   const TemporaryFolder folder;
-  write_image(folder, ramp);
+  write_stack<std::uint8_t>(folder, "gel", size, ramp);
   for (const int ranks : {1, 2}) {
-    run(folder, "ramp", deck("1000", field("[30, 80, 200]", "[200, 450, 2000]")), ranks);
+    run_deck(folder, "ramp", deck("1000", field("[30, 80, 200]", "[200, 450, 2000]")), ranks);
     std::int64_t particles = 0;
     for (int rank = 0; rank < ranks; ++rank) {
       const std::string part = "." + std::to_string(ranks) + "." + std::to_string(rank);
