@@ -24,7 +24,7 @@ docs=(
 )
 lint=(
   # formatting and spelling; clang-tidy, from Debian 12's security updates: those before 22 take four times as long
-  git python3 clang-format-14 codespell clang-tidy-22
+  git python3 clang-format-14 codespell clang-tidy-22 cppcheck
 )
 case ${1:-test} in
   demo) ;;
