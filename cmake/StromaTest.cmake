@@ -12,6 +12,8 @@ set(STROMA_TEST_ENVIRONMENT
     OMPI_MCA_btl=^tcp         # one machine: Open MPI 5 complains of networks it cannot use
     OMP_WAIT_POLICY=passive)  # threads that wait leave the processor to the other ranks
 
+set(STROMA_TEST_TIMEOUT 600 CACHE STRING "Seconds that a test may take")
+
 # More ranks than processors, bound to none of them: options, because the variables for it change their names with
 # each Open MPI (4, 5 and 6), which have these options in common.
 set(STROMA_MPIEXEC ${MPIEXEC_EXECUTABLE})
@@ -30,7 +32,7 @@ function(stroma_add_test name label target ranks threads suffix)
   set(test ${label}.${name}.np${ranks}${suffix})
   add_test(NAME ${test} COMMAND ${STROMA_MPIEXEC} ${ranks} $<TARGET_FILE:${target}>)
   set_tests_properties(
-    ${test} PROPERTIES LABELS ${label} PROCESSORS ${processors} TIMEOUT 600
+    ${test} PROPERTIES LABELS ${label} PROCESSORS ${processors} TIMEOUT ${STROMA_TEST_TIMEOUT}
     ENVIRONMENT "${STROMA_TEST_ENVIRONMENT};OMP_NUM_THREADS=${threads}")
 endfunction()
 

@@ -36,6 +36,16 @@ inline int threads_of_test() {
   return number == nullptr ? 1 : std::atoi(number);
 }
 
+/// What a program is given of this test's environment, in the words of env: where libraries are, and
+/// what cmake/asan.sh tells the sanitizers.
+inline std::string kept_environment() {
+  std::string words;
+  for (const char* name :
+       {"PATH", "LD_LIBRARY_PATH", "ASAN_OPTIONS", "LSAN_OPTIONS", "UBSAN_OPTIONS"})
+    words += std::string(name) + "=\"$" + name + "\" ";
+  return words;
+}
+
 /// Runs a program of this build, `stroma` unless another one is named, with arguments in a folder:
 /// alone, or under mpirun on several ranks; never as a rank of the MPI job that runs the test,
 /// whose environment it must not see. With threads = 0 nothing says how many threads to take.
@@ -44,9 +54,9 @@ inline Outcome run_program(const fs::path& program, const fs::path& folder,
   const TemporaryFolder capture;
   const fs::path output = capture / "output", error = capture / "error";
   std::string line =
-      "cd " + quoted(folder) + " && env -i PATH=\"$PATH\" HOME=" + quoted(capture.path()) +
-      " LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" "
-      "OMP_WAIT_POLICY=passive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+      "cd " + quoted(folder) + " && env -i " + kept_environment() +
+      "HOME=" + quoted(capture.path()) +
+      " OMP_WAIT_POLICY=passive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
       "OMPI_MCA_mpi_yield_when_idle=1 ";
   if (threads > 0) line += "OMP_NUM_THREADS=" + std::to_string(threads) + " ";
   if (ranks > 1) {  // on one machine, so no network either: Open MPI 5 complains of some of them
