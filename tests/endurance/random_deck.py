@@ -69,6 +69,11 @@ def follow(curve, materials, conditions, loads):
         item["Load Curve"] = curve
 
 
+def steps(r, is_plain, curve):
+    count = 4 if is_plain else r.randint(1, 4)
+    return max(count, 2) if curve == "there and back" else count  # one step would be there and back at once
+
+
 def traits_of(tree, rig_word, ranks):
     materials = tree["Materials"].values()
     families = [family for numbers in materials for family in numbers.get("Fibers", {}).values()]
@@ -99,6 +104,8 @@ def random_deck(seed, number):
     section = grid(r, size, is_plane, is_plain, materials)
     conditions, moves, rig_word = rig(r, edges, is_plane, is_plain, section["Reset"])
     has_springs = not is_plain and rig_word != "loads" and r.random() < 0.25
+    if section["Reset"] and "B-Spline" in section["Shape Functions"]:
+        has_springs = False  # thousands of linear iterations a step (docs/theory.md, section 8)
     if has_springs:
         for condition in conditions.values():
             condition["Imposed By"] = "Penalty"
@@ -115,7 +122,7 @@ def random_deck(seed, number):
         solver["Forcing"] = "Constant"
     tree = {"Title": f"Endurance {seed}.{number}", "Image": image, "Materials": materials, "Particles": {"Layout": layout},
             "Grid": section, "Boundary Conditions": conditions, "External Forces": loads, "Load Curves": load_curves(r, seconds),
-            "Loading": {"Duration [s]": seconds, "Steps": 4 if is_plain else r.randint(1, 4)}, "Solver": solver,
+            "Loading": {"Duration [s]": seconds, "Steps": steps(r, is_plain, curve)}, "Solver": solver,
             "Output": {"Pictures": False, "Particles Every": r.choice([0, 0, 1]), "Grid Every": r.choice([0, 0, 1])}}
     ranks = r.choice([(1, 2), (1, 3), (1, 4), (2, 3), (2, 4)])
     is_elastic = (all(elastic for _, elastic in made.values()) and bool(moves)

@@ -10,7 +10,7 @@ equilibrium, energy that is not negative, work against energy and the way back t
 answer on both numbers of ranks. A run may end with status 1 and a proper message where its deck may be too much for a body
 (may_fail() says which): such runs are counted, and more than one deck in twenty is a fault. Anything else is one.
 
-A fault is printed, and its deck kept in the folder. The tally says how many decks had which trait, and how much of its tolerance
+A line is printed for each deck, and the deck of a fault kept in the folder. The tally says how many decks had which trait, and how much of its tolerance
 each check used at most. The same seed makes the same decks; deck N is run again by --first N --count 1. Needs python3 alone.
 Exit status 1 if there is a fault.
 """
@@ -173,11 +173,11 @@ class Tally:
             self.shares[check] = (count + 1, *max((worst, at), (share, number), key=lambda pair: pair[0]))
         if verdict.failed_honestly:
             self.failed.append(number)
-            print(f"deck {number} failed, as it may: {'; '.join(may_fail(deck))}", flush=True)
         if verdict.faults:
             self.faulty.append(number)
-            words = [word for kind in ("shape", "law", "rig", "reset") for word in deck.traits[kind]]
-            print(f"deck {number}, {', '.join(words)}:\n  " + "\n  ".join(verdict.faults), flush=True)
+        words = [word for kind in ("shape", "reset", "law", "rig", "preconditioner") for word in deck.traits[kind]]
+        outcome = f"failed, as it may: {'; '.join(may_fail(deck))}" if verdict.failed_honestly else "; ".join(verdict.faults)
+        print(f"{number:4d} {' '.join(map(str, deck.ranks))} ranks {seconds:5.1f} s  {', '.join(words)}  {outcome}".rstrip(), flush=True)
 
     def print(self, options, seconds):
         for kind in dict.fromkeys(kind for kind, _ in self.traits):
