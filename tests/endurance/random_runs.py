@@ -4,15 +4,15 @@
 
     python3 tests/endurance/random_runs.py STROMA [--count 200] [--seed 1] [--first 0] [--minutes M] [--keep FOLDER] [--jobs 1]
 
-Each deck (random_deck.py) is run on two numbers of ranks, within 120 s of processor time and 512 MiB of data a rank. It has to end
+Each deck (random_deck.py) is run on two numbers of ranks, within 120 s of processor time and 1 GiB of data a rank. It has to end
 with exit status 0, nothing on standard error and a whole history, and what it finds is checked (check_run.py): convergence,
 equilibrium, energy that is not negative, work against energy and the way back to rest where the deck is elastic, and the same
 answer on both numbers of ranks. A run may end with status 1 and a proper message where its deck may be too much for a body
 (may_fail() says which): such runs are counted, and more than one deck in twenty is a fault. Anything else is one.
 
-A line is printed for each deck, and the deck of a fault kept in the folder. The tally says how many decks had which trait, and how much of its tolerance
-each check used at most. The same seed makes the same decks; deck N is run again by --first N --count 1. Needs python3 alone.
-Exit status 1 if there is a fault.
+A line is printed for each deck, and the deck of a fault kept in the folder. The tally says how many decks had which trait, and
+how much of its tolerance each check used at most. The same seed makes the same decks; deck N is run again by --first N --count 1.
+Needs python3 alone. Exit status 1 if there is a fault.
 """
 import argparse
 import collections
@@ -32,7 +32,7 @@ import time
 import check_run
 from random_deck import random_deck, yaml
 
-SECONDS, BYTES = 120, 512 << 20
+SECONDS, BYTES = 120, 1 << 30
 FAILURE = re.compile(r"\A\n?stroma: (.+\n)+\Z")
 OF_MPIRUN = re.compile(r"-{20,}\n(Primary job|mpirun detected)[^-]*(-[^-]+)*-{20,}\n")  # its own words on an exit status
 BANNER = re.compile(r"MPI_ABORT|signal code|terminate called|Segmentation fault|Sanitizer|\*\*\*|---|Traceback|Assertion|what\(\)")
