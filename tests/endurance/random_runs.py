@@ -161,12 +161,12 @@ class Tally:
     def __init__(self):
         self.decks, self.faulty, self.failed = 0, [], []
         self.traits, self.shares = collections.Counter(), {}
-        self.slowest, self.mebibytes = (0.0, None), 0
+        self.slowest, self.largest = (0.0, None), (0, None)
 
     def add(self, number, deck, verdict, seconds):
         self.decks += 1
         self.slowest = max(self.slowest, (seconds, number))
-        self.mebibytes = max(self.mebibytes, verdict.mebibytes)
+        self.largest = max(self.largest, (verdict.mebibytes, number))
         self.traits.update((kind, word) for kind, words in deck.traits.items() for word in sorted(set(words)))
         for check, share in verdict.shares.items():
             count, worst, at = self.shares.get(check, (0, -1.0, None))
@@ -187,7 +187,7 @@ class Tally:
             print(f"{check:>15}: {count} decks, at most {worst:.2g} of the tolerance (deck {at})")
         print(f"{self.decks} random decks, seed {options.seed}, from number {options.first}, each on two numbers of ranks, in "
               f"{seconds:.0f} s: {len(self.faulty)} with faults, {len(self.failed)} failed as they may")
-        print(f"deck {self.slowest[1]} took longest, {self.slowest[0]:.0f} s; {self.mebibytes} MiB at most on a rank")
+        print(f"deck {self.slowest[1]} took longest, {self.slowest[0]:.0f} s; deck {self.largest[1]} most memory, {self.largest[0]} MiB a rank")
 
     def is_clean(self):
         return 0 < self.decks and not self.faulty and 20 * len(self.failed) <= max(self.decks, 20)
