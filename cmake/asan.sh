@@ -31,9 +31,9 @@ done
 
 bash cmake/install_dependencies.sh test
 cmake --preset asan -D STROMA_TESTS=ON >/dev/null
-select=(--test-dir build/asan --label-regex "^($(IFS='|'; echo "${kinds[*]}"))$" --exclude-regex "$left_out")
+chosen=(--test-dir build/asan --label-regex "^($(IFS='|'; echo "${kinds[*]}"))$" --exclude-regex "$left_out")
 # ctest takes one expression, but names of both: the ranks are looked for in what the other finds.
-names=$(ctest "${select[@]}" --tests-regex "$tests" --show-only | sed -n 's/^ *Test *#[0-9]*: //p' | grep -E '\.np[12]$' || true)
+names=$(ctest "${chosen[@]}" --tests-regex "$tests" --show-only | sed -n 's/^ *Test *#[0-9]*: //p' | grep -E '\.np[12]$' || true)
 if [[ -z $names ]]; then
   echo "asan.sh: no test on 1 or 2 ranks matches '$tests'" >&2
   exit 2
