@@ -14,7 +14,7 @@ packages=(
   trilinos-all-dev libptscotch-dev libopenmpi-dev openmpi-bin
   # files
   libhdf5-openmpi-dev libexodusii-dev libtiff-dev zlib1g-dev libbz2-dev
-  libyaml-cpp-dev libexpat1-dev
+  libyaml-cpp-dev libexpat1-dev libssl-dev
   # command line, pictures
   libcli11-dev gnuplot-nox fonts-dejavu-core
 )

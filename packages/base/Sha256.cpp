@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/base/Sha256.hpp"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "stroma/base/Error.hpp"
+
+namespace stroma::base {
+namespace {
+
+/// A digest that grows with each piece.
+class Digest {
+ public:
+  Digest() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    require(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
+  }
+
+  void add(const char* bytes, std::size_t count) {
+    require(EVP_DigestUpdate(context_.get(), bytes, count) == 1);
+  }
+
+  std::string hexadecimal() {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+    unsigned count = 0;
+    require(EVP_DigestFinal_ex(context_.get(), bytes.data(), &count) == 1);
+    std::string digits;
+    for (unsigned n = 0; n < count; ++n) {
+      digits += "0123456789abcdef"[bytes[n] >> 4];
+      digits += "0123456789abcdef"[bytes[n] & 15];
+    }
+    return digits;
+  }
+
+ private:
+  static void require(bool done) {
+    if (!done) throw RunError("the OpenSSL of this machine cannot compute a SHA-256");
+  }
+
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+}  // namespace
+
+std::string sha256(std::string_view bytes) {
+  Digest digest;
+  digest.add(bytes.data(), bytes.size());
+  return digest.hexadecimal();
+}
+
+std::string sha256_of_file(const std::string& path) {
+  const auto fail = [&] { throw RunError("cannot read '" + path + "': " + std::strerror(errno)); };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             std::fclose);
+  if (file == nullptr) fail();
+  Digest digest;
+  std::vector<char> piece(1 << 18);
+  while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get()))
+    digest.add(piece.data(), count);
+  if (std::ferror(file.get()) != 0) fail();
+  return digest.hexadecimal();
+}
+
+}  // namespace stroma::base
