@@ -27,6 +27,7 @@
 #include "stroma/base/Signals.hpp"
 #include "stroma/deck/Nearest.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
+#include "stroma/output/files/ProgramFacts.hpp"
 #include "study/StudyCommand.hpp"
 #include "study/StudyDeck.hpp"
 
@@ -113,7 +114,14 @@ int main(int argc, char** argv) {
       "stroma");
   Options options;
   app.require_subcommand(1);
-  app.set_version_flag("--version", "stroma " STROMA_VERSION);
+  CLI::Option* version = app.set_version_flag("--version", [&app] {
+    if (app.count("--verbose") == 0) return std::string("stroma " STROMA_VERSION);
+    std::string facts = stroma::output::aligned(stroma::output::program_facts());
+    facts.pop_back();  // CLI11 ends the line
+    return facts;
+  });
+  app.add_flag("--verbose", "with --version: commit, compiler, options and libraries too")
+      ->needs(version);
 
   CLI::App* run = app.add_subcommand("run", "run a deck");
   add_deck(*run, options);

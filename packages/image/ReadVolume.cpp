@@ -131,6 +131,7 @@ voxels::IntensityVolume read_volume(const base::Communicator& communicator,
 
   const std::unique_ptr<ImageSource> source = open_image(communicator, request);
   summary = source->summary();
+  summary.files.insert(summary.files.begin(), request.path);
   if (summary.channels > 1) {
     summary.notes.push_back(base::format("the file holds %lld channels; channel %lld is read",
                                          static_cast<long long>(summary.channels),

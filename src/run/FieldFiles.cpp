@@ -9,7 +9,7 @@
 #include "run/ShownFields.hpp"
 #include "stroma/base/Stage.hpp"
 #include "stroma/mechanics/body/Lattice.hpp"
-#include "stroma/output/files/DeckFile.hpp"
+#include "stroma/output/files/ProgramFacts.hpp"
 
 namespace stroma {
 
@@ -21,7 +21,7 @@ FieldFiles::FieldFiles(const base::Communicator& communicator, const Deck& deck,
       folder_(folder),
       conditions_(names(deck.parameters.boundary_conditions.conditions)),
       materials_(names(deck.parameters.materials.materials)),
-      provenance_{deck.parameters.title, output::library_versions().front().second, deck.text} {}
+      provenance_{deck.parameters.title, output::program_version(), deck.text} {}
 
 void FieldFiles::write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                            const grid::Vector& u) {

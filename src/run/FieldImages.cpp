@@ -43,7 +43,7 @@ void require_same_specimen(const std::string& where, const image::ImageSummary& 
 }  // namespace
 
 voxels::IntensityVolume FieldImages::read(const std::string& where,
-                                          const material::FieldImage& image) const {
+                                          const material::FieldImage& image) {
   const image::ImageParameters& specimen = deck_->parameters.image;
   if (image.is_the_specimens()) return image_->intensities;
   image::ImageParameters other;
@@ -65,6 +65,7 @@ voxels::IntensityVolume FieldImages::read(const std::string& where,
     const std::string what = error.what();
     throw base::InputError(what.rfind(where, 0) == 0 ? what : where + ": " + what);
   }
+  files_.insert(files_.end(), found.files.begin(), found.files.end());
   volume.voxel_size = image_->labels.voxel_size;
   return volume;
 }
@@ -116,7 +117,7 @@ void FieldImages::require_directions(const std::string& where, const std::string
 
 std::vector<image::Orientation> FieldImages::by_structure_tensor(
     const std::string& where, const material::DirectionsFromImage& from,
-    const std::vector<bool>& counts) const {
+    const std::vector<bool>& counts) {
   const voxels::IntensityVolume volume = read(where, from);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low = infinity, high = -infinity;

@@ -41,12 +41,14 @@ class FieldImages {
   std::vector<image::Orientation> directions(const std::string& where,
                                              const material::DirectionsFromImage& from,
                                              const std::vector<bool>& counts);
+  /// What was read so far, beside the specimen's image.
+  const std::vector<std::string>& files() const { return files_; }
 
  private:
-  voxels::IntensityVolume read(const std::string& where, const material::FieldImage& image) const;
+  voxels::IntensityVolume read(const std::string& where, const material::FieldImage& image);
   std::vector<image::Orientation> by_structure_tensor(const std::string& where,
                                                       const material::DirectionsFromImage& from,
-                                                      const std::vector<bool>& counts) const;
+                                                      const std::vector<bool>& counts);
   std::vector<image::Orientation> by_components(const std::string& where,
                                                 const material::DirectionsFromImage& from,
                                                 const std::vector<bool>& counts);
@@ -62,6 +64,7 @@ class FieldImages {
   const SpecimenImage* image_;
   const particles::ParticleVoxels* particles_;
   std::map<Key, std::vector<double>> known_;
+  std::vector<std::string> files_;
 };
 
 }  // namespace stroma

@@ -4,6 +4,7 @@
 
 #include "run/HistoryFigures.hpp"
 #include "run/MovingSupports.hpp"
+#include "run/RunFacts.hpp"
 #include "run/RunSummary.hpp"
 #include "stroma/base/Session.hpp"
 #include "stroma/base/Stage.hpp"
@@ -24,7 +25,8 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
                names(deck.parameters.boundary_conditions.conditions),
                names(deck.parameters.materials.materials)),
       fields_(communicator, deck, specimen, folder) {
-  output::write_deck(communicator, folder.deck(), *as_run(deck));
+  output::write_deck(communicator, folder.deck(), *as_run(deck),
+                     run_facts(communicator, folder.taken(), specimen.files));
   folder.finish("deck.xml");
 }
 

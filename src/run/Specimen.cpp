@@ -108,9 +108,11 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   auto particles = particles::seed(communicator, p.particles, lattice, labels,
                                    material::material_of_label(materials), vary ? &where : nullptr);
   OwnNumbers own;
+  std::vector<std::string> files = image.summary.files;
   if (vary) {
     FieldImages images(communicator, deck, image, where);
     own = give_own_numbers(communicator, images, materials, particles);
+    files.insert(files.end(), images.files().begin(), images.files().end());
   }
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
@@ -124,7 +126,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     "",
                     {},
                     {},
-                    {}};
+                    {},
+                    std::move(files)};
   const material::Compressibility of_volume = material::compressibility(materials);
   specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
   const std::string locking = mechanics::locking_note(p.grid, of_volume);

@@ -38,6 +38,7 @@ struct Specimen {
   std::vector<material::SmallStrainModuli> extremes;
   std::vector<std::vector<int>> own_numbers;  ///< (material) that particles give (OwnNumbers)
   std::vector<std::string> fields;            ///< a line on each
+  std::vector<std::string> files;  ///< that it was read from: of its image, then of its fields
 };
 
 /// What is solved on the specimen.

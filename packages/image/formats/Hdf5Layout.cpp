@@ -147,6 +147,7 @@ void read_view_attributes(const Numbers& numbers, const ImageRequest& request, H
   constexpr std::size_t longest = std::size_t{1} << 26;
   std::string text(std::min<std::size_t>(longest, std::filesystem::file_size(xml, trouble)), '\0');
   std::ifstream(xml, std::ios::binary).read(text.data(), static_cast<std::streamsize>(text.size()));
+  place.files.push_back(xml.string());
   place.voxel_size = voxel_size_of_view(text, setup, place.notes);
 }
 

@@ -28,6 +28,7 @@ struct Hdf5Place {
   std::optional<std::array<std::int64_t, 3>> size;  ///< x, y, z of the image; the rest is padding
   bool meant_unsigned = false;  ///< signed integers of the file stand for unsigned ones
   VoxelSize voxel_size;
+  std::vector<std::string> files;  ///< read beside the HDF5 file itself
   std::vector<std::string> notes;
 };
 

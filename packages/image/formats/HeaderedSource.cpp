@@ -20,6 +20,8 @@ class HeaderedSource : public ImageSource {
   HeaderedSource(const ImageRequest& request, const VolumeHeader& header)
       : header_(header), stored_(check(request, header), request.reads_whole, header_.notes) {
     summary_.path = header.path;
+    for (const std::string& file : header.files)
+      if (file != header.path) summary_.files.push_back(file);
     summary_.format = header.format;
     summary_.channel = request.channel;
     summary_.file_size = header.size;

@@ -21,7 +21,7 @@ class ImageSource {
   virtual ~ImageSource() = default;
 
   /// Path, format, file_size, type, channels, channel, frames, frame, dataset, voxel size as the
-  /// file states it, notes.
+  /// file states it, notes; in `files` those that are read beside the one opened, if any.
   const ImageSummary& summary() const { return summary_; }
 
   /// The values of a box of the file, x fastest. Not collective.

@@ -43,7 +43,8 @@ struct ValueType {
 /// What an image file says of itself, and what of it was read.
 struct ImageSummary {
   std::string path;
-  std::string format;  ///< "TIFF, ImageJ hyperstack", "HDF5", ..., "phantom"
+  std::vector<std::string> files;  ///< that it was read from: `path`, then those that it leads to
+  std::string format;              ///< "TIFF, ImageJ hyperstack", "HDF5", ..., "phantom"
   std::array<std::int64_t, 3> file_size{0, 0, 0};  ///< voxels of the file: x, y, z
   std::array<std::int64_t, 3> size{0, 0, 0};       ///< voxels read: file_size, or the deck's region
   ValueType type;

@@ -3,25 +3,25 @@
 #pragma once
 
 /// \file
-/// deck.xml: the deck as it was run, with the versions it ran with.
+/// deck.xml: the deck as it was run, with what it was run by and on.
 
 #include <Teuchos_ParameterList.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "stroma/base/Communicator.hpp"
+#include "stroma/output/files/ProgramFacts.hpp"
 
 namespace stroma::output {
 
-/// Names and versions of Stroma and of the libraries that decide a result: Trilinos, MPI, HDF5,
-/// Exodus.
-std::vector<std::pair<std::string, std::string>> library_versions();
-
 /// Writes the deck (every default filled in) as a ParameterList in XML that `stroma run` reads
-/// again. The versions stand in a comment at the head. Rank 0 writes. Collective.
+/// again. A comment at the head lists the facts of the program and those of the run; two hyphens in
+/// a row, which XML forbids there, become "- ". Rank 0 writes. Collective.
+/// \param communicator  of the ranks that run the deck
+/// \param path          of the file
+/// \param deck          with every default
+/// \param of_the_run    what is to be told beside program_facts(); rank 0's counts
 /// \throws RunError on all ranks when the file cannot be written
 void write_deck(const base::Communicator& communicator, const std::string& path,
-                const Teuchos::ParameterList& deck);
+                const Teuchos::ParameterList& deck, const Facts& of_the_run);
 
 }  // namespace stroma::output

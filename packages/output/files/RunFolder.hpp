@@ -5,6 +5,7 @@
 /// \file
 /// The output folder of a run and the names of the files in it.
 
+#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,6 +61,8 @@ class RunFolder {
   void finish() const;
 
   const std::string& folder() const { return folder_; }
+  /// When the run took it, which is what it does first.
+  std::time_t taken() const { return taken_; }
   std::string history() const { return file("history.csv"); }
   std::string particles() const { return file("particles.e"); }
   /// Grid files are numbered from 1: grid.e, then, for other elements, grid.e-s002, grid.e-s003:
@@ -76,6 +79,7 @@ class RunFolder {
   base::Communicator communicator_;
   std::string folder_;
   std::vector<std::string> names_;
+  std::time_t taken_ = std::time(nullptr);
   std::shared_ptr<Hold> hold_;  ///< of rank 0
 };
 

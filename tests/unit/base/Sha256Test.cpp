@@ -41,6 +41,7 @@ class Content {
   std::filesystem::path path_;
 };
 
+// V-TRACE-1.
 TEST(Sha256, OfBytesIsThatOfTheStandard) {
   EXPECT_EQ(base::sha256(""), of_nothing);
   EXPECT_EQ(base::sha256("abc"), of_abc);

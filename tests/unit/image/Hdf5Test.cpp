@@ -340,6 +340,7 @@ TEST(Hdf5, BigDataViewerIsUnsignedAndItsVoxelSizeIsInItsXml) {
     ASSERT_EQ(volume.values[i], static_cast<double>(v) + (v % 2 == 0 ? 60000.0 : 0.0));
   }
   EXPECT_EQ(summary.format, "HDF5, BigDataViewer");
+  EXPECT_EQ(summary.files, (std::vector<std::string>{path, folder() + "/view.xml"}));
   EXPECT_EQ(summary.type.name(), "16-bit unsigned integer");
   EXPECT_TRUE(noted("stand for unsigned ones"));
   EXPECT_TRUE(noted("view setup 1, resolution level 0"));
@@ -348,6 +349,24 @@ TEST(Hdf5, BigDataViewerIsUnsignedAndItsVoxelSizeIsInItsXml) {
   read(parameters);
   EXPECT_TRUE(noted("no voxel size in a known unit for view setup 0"));
   EXPECT_FALSE(summary.voxel_size.known(0));
+}
+
+// V-TRACE-2.
+TEST(Hdf5, AFileThatALinkLeadsToIsListed) {
+  const std::string path = folder() + "/link.h5", other = folder() + "/linked.h5";
+  on_root([&] {
+    const File linked(other), file(path);
+    H5Dclose(linked.dataset("gel", {2, 2, 2}, H5T_STD_U8LE, std::vector<double>(8, 7.0)));
+    H5Lcreate_external("linked.h5", "gel", file.get(), "here", H5P_DEFAULT, H5P_DEFAULT);
+    H5Dclose(file.dataset("own", {2, 2, 2}, H5T_STD_U8LE, std::vector<double>(8, 1.0)));
+  });
+  image::ImageParameters parameters = parameters_of(path);
+  parameters.dataset = "own";
+  read(parameters);
+  EXPECT_EQ(summary.files, std::vector<std::string>{path});
+  parameters.dataset = "here";
+  for (const double value : read(parameters).values) EXPECT_EQ(value, 7.0);
+  EXPECT_EQ(summary.files, (std::vector<std::string>{path, other}));
 }
 
 TEST(Hdf5, MasksOfEveryType) {

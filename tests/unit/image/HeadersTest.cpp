@@ -162,6 +162,21 @@ TEST(MetaImage, AFileForEachSlice) {
               u16);
 }
 
+// V-TRACE-2.
+TEST(MetaImage, TheFilesItWasReadFromAreListed) {
+  const std::string values = stored(u16);
+  read(write("local.mha", meta("MET_USHORT", "", "LOCAL") + values));
+  EXPECT_EQ(summary.files, std::vector<std::string>{at("local.mha")});
+  write("beside.raw", values);
+  read(write("beside.mhd", meta("MET_USHORT", "", "beside.raw")));
+  EXPECT_EQ(summary.files, (std::vector<std::string>{at("beside.mhd"), at("beside.raw")}));
+  for (int z = 0; z < 3; ++z)
+    write("f" + std::to_string(z) + ".raw", values.substr(40 * static_cast<std::size_t>(z), 40));
+  const std::vector<std::string> all{at("files.nhdr"), at("f0.raw"), at("f1.raw"), at("f2.raw")};
+  read(write("files.nhdr", nrrd("uint16", "encoding: raw\ndata file: f%d.raw 0 2 1\n")));
+  EXPECT_EQ(summary.files, all);
+}
+
 TEST(MetaImage, ChannelsLieTogether) {
   std::string values;
   for (std::int64_t z = 0; z < 3; ++z)

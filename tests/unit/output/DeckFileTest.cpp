@@ -25,7 +25,8 @@ TEST(DeckFile, ReadsBackAsTheSameList) {
   deck.sublist("Solver").set("Newton Tolerance", 0.1 + 0.2);
   deck.sublist("Loading").set("Steps", 10);
 
-  output::write_deck(base::Communicator::world(), folder / "deck.xml", deck);
+  output::write_deck(base::Communicator::world(), folder / "deck.xml", deck,
+                     {{"file", "/a--b---.raw"}});
   const auto read = Teuchos::getParametersFromXmlFile(folder / "deck.xml");
   // Teuchos's own reader drops the name of the outermost list.
   EXPECT_NE(content_of(folder / "deck.xml").find("<ParameterList name=\"Stroma\""),
@@ -41,17 +42,20 @@ TEST(DeckFile, ReadsBackAsTheSameList) {
 TEST(DeckFile, NamesTheVersionsItRanWith) {
   const TemporaryFolder folder;
   output::write_deck(base::Communicator::world(), folder / "deck.xml",
-                     Teuchos::ParameterList("Stroma"));
+                     Teuchos::ParameterList("Stroma"), {{"ranks", "2"}, {"SHA-256", "00ff"}});
   const std::string text = content_of(folder / "deck.xml");
-  for (const char* library : {"Stroma: ", "Trilinos: ", "MPI: ", "HDF5: ", "Exodus: "}) {
-    EXPECT_NE(text.find(library), std::string::npos) << library;
+  for (const auto& [name, fact] : output::program_facts()) {
+    const std::string line = "     " + name + ": " + std::string(8 - name.size(), ' ') + fact;
+    EXPECT_NE(text.find(line + "\n"), std::string::npos) << line << "\n" << text;
   }
+  EXPECT_NE(text.find("\n\n     ranks:    2\n     SHA-256:  00ff\n-->\n"), std::string::npos)
+      << text;
 }
 
 TEST(DeckFile, FullDiskIsARunErrorOnEveryRank) {
   EXPECT_EQ(message_of<base::RunError>([&] {
               output::write_deck(base::Communicator::world(), "/dev/full",
-                                 Teuchos::ParameterList("Stroma"));
+                                 Teuchos::ParameterList("Stroma"), {});
             }),
             "cannot write '/dev/full': No space left on device");
 }
