@@ -12,7 +12,7 @@ function(stroma_build_facts target)
       -P ${PROJECT_SOURCE_DIR}/cmake/commit.cmake)
   execute_process(COMMAND ${find_commit})  # clang-tidy looks at what was not built yet
   add_custom_target(
-    ${target}_commit COMMAND ${find_commit} BYPRODUCTS ${folder}/StromaCommit.hpp COMMENT "" VERBATIM)
+    ${target}_commit COMMAND ${find_commit} BYPRODUCTS ${folder}/StromaCommit.hpp COMMENT "Asking git for the commit" VERBATIM)
   add_dependencies(${target} ${target}_commit)
 
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of the machines, on rank 0: "2: node07, node08". Collective.
+/// The names of the machines, on rank 0: "2 (node07, node08)". Collective.
 std::string hosts(const base::Communicator& communicator) {
   using Name = std::array<char, MPI_MAX_PROCESSOR_NAME>;
   Name own{};
@@ -34,7 +34,7 @@ std::string hosts(const base::Communicator& communicator) {
   for (const Name& name : all) names.insert(name.data());
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return std::to_string(names.size()) + ": " + text;
+  return std::to_string(names.size()) + " (" + text + ")";
 }
 
 std::string in_utc(std::time_t time) {

@@ -14,7 +14,7 @@
 
 namespace stroma {
 
-/// Ranks, threads of a rank, the machines ("hosts: 2: node07, node08"), the start in UTC
+/// Ranks, threads of a rank, the machines ("2 (node07, node08)"), the start in UTC
 /// (ISO 8601), and of each file that was read its absolute path, size [bytes] and SHA-256. Each
 /// file is read once, by rank 0, which alone gets an answer. Collective.
 /// \param communicator  of the ranks of the run

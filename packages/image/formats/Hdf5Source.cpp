@@ -69,7 +69,6 @@ class Hdf5Source : public ImageSource {
     summary_.files = std::move(place.files);
     dataset_ = Hdf5Handle(H5Dopen2(file_.get(), place.dataset.c_str(), H5P_DEFAULT), H5Dclose);
     if (!dataset_.good()) refuse_dataset("cannot be opened" + Hdf5Messages::reason());
-    take_linked_file();
     take_type(place.meant_unsigned);
     take_axes(place, request);
     check_storage();
@@ -98,15 +97,6 @@ class Hdf5Source : public ImageSource {
  private:
   [[noreturn]] void refuse_dataset(const std::string& what) const {
     refuse(summary_.path, "dataset \"" + summary_.dataset + "\" " + what);
-  }
-
-  /// A link may lead into another file.
-  void take_linked_file() {
-    const ssize_t length = H5Fget_name(dataset_.get(), nullptr, 0);
-    std::string file(static_cast<std::size_t>(std::max<ssize_t>(length, 0)) + 1, '\0');
-    H5Fget_name(dataset_.get(), file.data(), file.size());
-    file.pop_back();
-    if (!file.empty() && file != summary_.path) summary_.files.push_back(file);
   }
 
   void take_type(bool meant_unsigned) {

@@ -95,7 +95,7 @@ TEST_F(Trace, RanksThreadsHostAndStartAreListed) {
   const std::string head = head_of(folder_ / "out/deck.xml");
   EXPECT_EQ(fact(head, "ranks"), "2");
   EXPECT_EQ(fact(head, "threads"), std::to_string(threads_of_test()) + " a rank");
-  EXPECT_EQ(fact(head, "hosts"), "1: " + answer(folder_, "uname -n"));
+  EXPECT_EQ(fact(head, "hosts"), "1 (" + answer(folder_, "uname -n") + ")");
   std::tm parts{};
   ASSERT_NE(strptime(fact(head, "start").c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts), nullptr) << head;
   EXPECT_GE(timegm(&parts), before);
