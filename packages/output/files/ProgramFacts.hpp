@@ -23,6 +23,7 @@ Facts program_facts();
 std::string program_version();
 
 /// A line "NAME: FACT" for each, the facts below one another; an empty name makes an empty line.
+/// \param facts   to be listed
 /// \param indent  in front of each line
 std::string aligned(const Facts& facts, const std::string& indent = "");
 
