@@ -18,9 +18,14 @@ target_link_libraries(stroma_hdf5 INTERFACE ${HDF5_LIBRARY})
 
 find_path(EXODUS_INCLUDE_DIR exodusII.h REQUIRED)
 find_library(EXODUS_LIBRARY NAMES exodus exoIIv2c REQUIRED)
+# The netCDF that Exodus was linked with: Debian has two, and their functions bear the same names.
+execute_process(COMMAND ${CMAKE_READELF} -d ${EXODUS_LIBRARY} OUTPUT_VARIABLE exodus_needs ERROR_QUIET)
+string(REGEX MATCH "libnetcdf[^]]*" netcdf_of_exodus "${exodus_needs}")
+find_path(NETCDF_INCLUDE_DIR netcdf.h REQUIRED)
+find_library(NETCDF_LIBRARY NAMES ${netcdf_of_exodus} netcdf REQUIRED)
 add_library(stroma_exodus INTERFACE)
 add_library(stroma::exodus ALIAS stroma_exodus)
-target_include_directories(stroma_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR})
-target_link_libraries(stroma_exodus INTERFACE ${EXODUS_LIBRARY})
+target_include_directories(stroma_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR} ${NETCDF_INCLUDE_DIR})
+target_link_libraries(stroma_exodus INTERFACE ${EXODUS_LIBRARY} ${NETCDF_LIBRARY})
 
 find_package(CLI11 REQUIRED)

@@ -2,7 +2,6 @@
 
 #include "stroma/output/files/ExodusFile.hpp"
 
-#include <dlfcn.h>
 #include <exodusII.h>
 #include <hdf5.h>
 
@@ -11,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <limits>
 #include <sstream>
 
 #include "stroma/base/Error.hpp"
@@ -18,8 +18,6 @@
 
 namespace stroma::output {
 namespace {
-
-constexpr int int64_mode = EX_ALL_INT64_DB | EX_ALL_INT64_API;
 
 std::string reason_of_library() {
   const char* message = nullptr;
@@ -66,22 +64,16 @@ std::vector<std::int64_t> all_but(const std::vector<std::int64_t>& left_out, std
   return rest;
 }
 
-/// netCDF would keep whole variables in its caches, 16 MB for each that pieces are written to by
-/// turns: more than a run's matrix. Exodus brings netCDF along but neither its header nor a word on
-/// caches.
-void keep_no_variables_in_memory() {
-  using SetChunkCache = int (*)(std::size_t bytes, std::size_t slots, float preemption);
-  static const auto set =
-      reinterpret_cast<SetChunkCache>(dlsym(RTLD_DEFAULT, "nc_set_chunk_cache"));
-  if (set != nullptr) set(std::size_t{1} << 16, 101, 0.75f);
+bool is_for_classic(const FileSize& size) {
+  return size.largest_id <= std::numeric_limits<std::int32_t>::max() &&
+         size.entries < std::int64_t{1} << 27;  // eight 4-byte corners of an element: below 2^32
 }
 
 }  // namespace
 
 ExodusFile ExodusFile::create(const std::string& path, Precision precision,
-                              std::size_t longest_name) {
+                              std::size_t longest_name, const FileSize& size) {
   ex_opts(0);  // so that the library does not print
-  keep_no_variables_in_memory();
   // The library does not tell why it cannot create a file; the operating system does.
   std::FILE* trial = std::fopen(path.c_str(), "ab");
   if (trial == nullptr)
@@ -89,25 +81,14 @@ ExodusFile ExodusFile::create(const std::string& path, Precision precision,
   std::fclose(trial);
   int memory_bytes = 8;
   int file_bytes = (precision == Precision::Double) ? 8 : 4;
+  const int format = is_for_classic(size) ? EX_LARGE_MODEL : EX_NETCDF4 | EX_ALL_INT64_DB;
   const int id =
-      ex_create(path.c_str(), EX_CLOBBER | EX_NETCDF4 | int64_mode, &memory_bytes, &file_bytes);
+      ex_create(path.c_str(), EX_CLOBBER | EX_ALL_INT64_API | format, &memory_bytes, &file_bytes);
   if (id < 0) throw base::RunError("cannot create '" + path + "': " + reason_of_library());
   ExodusFile file(id, path);
   file.check(ex_set_max_name_length(id, static_cast<int>(std::max<std::size_t>(longest_name, 32))),
              "the length of names");
   return file;
-}
-
-ExodusFile ExodusFile::open(const std::string& path) {
-  ex_opts(0);
-  keep_no_variables_in_memory();
-  int memory_bytes = 8;
-  int file_bytes = 0;
-  float version = 0;
-  const int id =
-      ex_open(path.c_str(), EX_WRITE | EX_ALL_INT64_API, &memory_bytes, &file_bytes, &version);
-  if (id < 0) throw base::RunError("cannot open '" + path + "' again: " + reason_of_library());
-  return ExodusFile(id, path);
 }
 
 ExodusFile::ExodusFile(ExodusFile&& other) noexcept
@@ -127,13 +108,15 @@ void ExodusFile::close() {
   check(std::min(flushed, closed), "the last data");
 }
 
+bool is_of_the_disk(int reason) {
+  return reason == ENOSPC || reason == EDQUOT || reason == EFBIG || reason == EIO;
+}
+
 void ExodusFile::check(int code, const char* what) const {
   if (code >= 0) return;
   const int system_reason = errno;  // the library swallows it
   std::string reason = reason_of_library();
-  for (const int likely : {ENOSPC, EDQUOT, EFBIG, EIO}) {
-    if (system_reason == likely) reason = std::strerror(likely);
-  }
+  if (is_of_the_disk(system_reason)) reason = std::strerror(system_reason);
   throw base::RunError("cannot write " + std::string(what) + " to '" + path_ + "': " + reason);
 }
 
@@ -162,13 +145,6 @@ void ExodusFile::put_variable_names(int kind, const std::vector<std::string>& na
   std::vector<char*> list = pointers(names);
   check(ex_put_variable_param(id_, type, count), "the number of variables");
   check(ex_put_variable_names(id_, type, count, list.data()), "the names of the variables");
-}
-
-void ExodusFile::put_piece(int step, int kind, int variable, std::int64_t block, std::int64_t start,
-                           std::int64_t size, const double* values) const {
-  check(ex_put_partial_var(id_, step, static_cast<ex_entity_type>(kind), variable, block, start,
-                           size, values),
-        "a variable");
 }
 
 bool files_are_stuck() { return H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_FILE) > 0; }

@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// What the two Exodus files of a run share: opening, checking, naming, parallel information.
+/// What the two Exodus files of a run share: making, checking, naming, parallel information.
 
 #include <cstdint>
 #include <string>
@@ -23,19 +23,25 @@ struct Provenance {
   std::string deck;     ///< the deck's text, kept as information records of 80 characters
 };
 
-/// One Exodus file, open for writing. Every member function turns a failure of the library into a
-/// base::RunError that names the file, what was being written, and the library's reason.
-/// Calls of the Exodus library not wrapped here go through check(), with id().
+/// How large the numbers in a file get, which decides its format.
+struct FileSize {
+  std::int64_t largest_id = 0;  ///< of nodes and elements, over all ranks, from 1
+  std::int64_t entries = 0;     ///< nodes or elements of this file, whichever are more
+};
+
+/// A new Exodus file, with all that does not change from step to step; the steps are added by
+/// add_step() (ExodusStep.hpp). Every member function turns a failure of the library into a
+/// base::RunError that names the file, what was being written, and the library's reason. Calls of
+/// the Exodus library not wrapped here go through check(), with id().
 class ExodusFile {
  public:
-  /// Creates (or replaces) a netCDF-4 file with 64-bit integers.
+  /// Creates (or replaces) a file.
   /// \param path          of the file
   /// \param precision     of the numbers in it
   /// \param longest_name  length of the longest name of a block or variable in it
-  static ExodusFile create(const std::string& path, Precision precision, std::size_t longest_name);
-  /// Opens an existing file to add to it.
-  static ExodusFile open(const std::string& path);
-
+  /// \param size          of what it will hold
+  static ExodusFile create(const std::string& path, Precision precision, std::size_t longest_name,
+                           const FileSize& size);
   ExodusFile(ExodusFile&& other) noexcept;
   ExodusFile(const ExodusFile&) = delete;
   ExodusFile& operator=(const ExodusFile&) = delete;
@@ -57,22 +63,6 @@ class ExodusFile {
   /// Names of the variables of a kind (EX_GLOBAL, EX_NODAL, EX_ELEM_BLOCK), and how many they are.
   void put_variable_names(int kind, const std::vector<std::string>& names) const;
 
-  /// Writes `count` values of one variable at one step through one buffer of bounded size.
-  /// \param step      counted from 1
-  /// \param kind      EX_NODAL or EX_ELEM_BLOCK
-  /// \param variable  its number, counted from 1
-  /// \param block     the element block's id; 1 for nodes
-  /// \param count     of the values
-  /// \param value     value(i) of entry i, from 0
-  template <class Value>
-  void put_variable(int step, int kind, int variable, std::int64_t block, std::int64_t count,
-                    const Value& value) const {
-    in_pieces<double>(count, value,
-                      [&](std::int64_t start, std::int64_t size, const double* values) {
-                        put_piece(step, kind, variable, block, start, size, values);
-                      });
-  }
-
   /// Calls put(start, size, values) for consecutive pieces of value(0), ..., value(count - 1);
   /// start counts from 1, as the Exodus library does.
   template <class T, class Value, class Put>
@@ -86,10 +76,6 @@ class ExodusFile {
     }
   }
 
-  /// Some values of one variable, from entry `start` (from 1) on.
-  void put_piece(int step, int kind, int variable, std::int64_t block, std::int64_t start,
-                 std::int64_t size, const double* values) const;
-
   /// Entries that pass through a buffer at a time.
   static constexpr std::int64_t piece = 65536;
 
@@ -99,6 +85,9 @@ class ExodusFile {
   int id_;
   std::string path_;
 };
+
+/// Whether an errno tells of a disk that does not take what is written.
+bool is_of_the_disk(int reason);
 
 /// Whether this rank holds files that could not be closed, as on a full disk. A process with such a
 /// file must end without MPI_Finalize, in which HDF5 would try to close it again and crash.

@@ -247,7 +247,8 @@ void put_elements(const ExodusFile& file, const GridPart& part, const NodeBox& b
 }  // namespace
 
 GridFile::GridFile(const base::Communicator& communicator, const std::string& path,
-                   const GridPart& part, const Provenance& provenance, Precision precision)
+                   const GridPart& part, const Provenance& provenance, Precision precision,
+                   const std::optional<FileEnd>& continued)
     : communicator_(communicator),
       path_(spread_file_name(path, communicator.size(), communicator.rank())) {
   const NodeBox box = node_box(part);
@@ -260,6 +261,11 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
   std::vector<std::int64_t> local_number(used_.size(), 0);  // in this file, from 1; 0: unused
   for (std::size_t n = 0; n < used_.size(); ++n) {
     if (used_[n] != 0) local_number[n] = ++used_count_;
+  }
+  if (continued) {
+    base::collectively(communicator_, [&] { cut_at(path_, *continued); });
+    end_ = *continued;
+    return;
   }
 
   const std::vector<Neighbour> neighbours = find_shared(communicator_, box, used_);
@@ -292,8 +298,11 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
     if (at_border) parallel.border_elements.push_back(element);
   });
 
+  std::int64_t largest_id = 1;
+  for (const std::int64_t n : part.elements) largest_id *= n + 1;
+  const FileSize size{largest_id, std::max(elements, used_count_)};
   base::collectively(communicator_, [&] {
-    ExodusFile file = ExodusFile::create(path_, precision, 32);
+    ExodusFile file = ExodusFile::create(path_, precision, 32, size);
     const int id = file.id();
     const std::string title = provenance.title.substr(0, MAX_LINE_LENGTH);
     file.check(ex_put_init(id, title.c_str(), 3, used_count_, elements, 1, 0, 0), "the counts");
@@ -305,23 +314,22 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
     put_elements(file, part, box, local_number);
     if (used_count_ > 0) file.put_variable_names(EX_NODAL, nodal_variables);
     file.close();
+    end_ = end_of(path_);
   });
 }
 
-void GridFile::write(double load, const double* displacement, const double* residual) {
-  base::collectively(communicator_, [&] {
-    const int step = steps_ + 1;
-    ExodusFile file = ExodusFile::open(path_);
-    file.check(ex_put_time(file.id(), step, &load), "the load factor");
+void GridFile::write(double time, const double* displacement, const double* residual) {
+  add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
     for (int variable = 0; variable < 6; ++variable) {
       const double* values = (variable < 3) ? displacement : residual;
       UsedNodes nodes(used_);
-      file.put_variable(step, EX_NODAL, variable + 1, 1, used_count_,
-                        [&](std::int64_t) { return values[3 * nodes.next() + variable % 3]; });
+      ExodusFile::in_pieces<double>(
+          used_count_, [&](std::int64_t) { return values[3 * nodes.next() + variable % 3]; },
+          [&](std::int64_t start, std::int64_t size, const double* piece) {
+            step.put_piece(ExodusStep::At::nodes, variable + 1, 1, start, size, piece);
+          });
     }
-    file.close();
   });
-  ++steps_;
 }
 
 }  // namespace stroma::output

@@ -7,11 +7,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
+#include "stroma/output/files/ExodusStep.hpp"
 
 namespace stroma::output {
 
@@ -39,29 +41,38 @@ struct GridPart {
 /// of the shared nodes. Format and flushing as in ParticleFile.
 class GridFile {
  public:
-  /// Creates the file(s). Collective.
+  /// Creates the file(s), or continues those that an equal one wrote. Collective.
+  /// \param communicator  of the ranks that share the grid
+  /// \param path          of the file, without the ending of a spread one
+  /// \param part          this rank's
+  /// \param provenance    title, version and deck, kept in the file
+  /// \param precision     of the numbers in it
+  /// \param continued     where this rank's file is to be continued; what comes behind is cut off
   /// \throws RunError on all ranks, naming the file and what could not be written
   GridFile(const base::Communicator& communicator, const std::string& path, const GridPart& part,
-           const Provenance& provenance, Precision precision = Precision::Double);
+           const Provenance& provenance, Precision precision = Precision::Double,
+           const std::optional<FileEnd>& continued = {});
 
   /// Adds one step. Collective. Both arrays cover the nodes of this rank's box (element_count + 1
   /// in each direction, x fastest), 3 values a node, complete on every rank that shares the node;
   /// they are not read where the box is empty.
-  /// \param load  load factor, larger than that of the step before
+  /// \param time  of the step, later than that of the step before
   /// \param displacement  (node of the box, xyz) [um]
   /// \param residual  (node of the box, xyz) [pN]
   /// \throws RunError on all ranks, naming the file and what could not be written
-  void write(double load, const double* displacement, const double* residual);
+  void write(double time, const double* displacement, const double* residual);
 
   /// Steps written so far.
-  int steps() const { return steps_; }
+  int steps() const { return static_cast<int>(end_.steps); }
+  /// Where this rank's file ends.
+  const FileEnd& end() const { return end_; }
 
  private:
   base::Communicator communicator_;
   std::string path_;                ///< of this rank's own file
   std::vector<std::uint8_t> used_;  ///< (node of the box) 1: an active element has this corner
   std::int64_t used_count_ = 0;
-  int steps_ = 0;
+  FileEnd end_;
 };
 
 }  // namespace stroma::output

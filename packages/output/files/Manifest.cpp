@@ -45,7 +45,7 @@ bool begins_as_written(const fs::path& path) {
   if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
   if (ending == ".png") return is("\x89PNG");
   if (ending == ".gp") return is("# Draws ../");
-  return ending == ".dat" || ending == ".raw" || is("\x89HDF");
+  return ending == ".dat" || ending == ".raw" || is("\x89HDF") || is("CDF");
 }
 
 }  // namespace

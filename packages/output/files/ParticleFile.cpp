@@ -105,13 +105,19 @@ std::size_t longest(const std::vector<std::string>& names) {
 ParticleFile::ParticleFile(const base::Communicator& communicator, const std::string& path,
                            const ParticleSet& particles, std::vector<std::string> materials,
                            std::vector<std::string> global_variables, const Provenance& provenance,
-                           Precision precision, const std::vector<ShownField>& fields)
+                           Precision precision, const std::vector<ShownField>& fields,
+                           const std::optional<FileEnd>& continued)
     : communicator_(communicator),
       path_(spread_file_name(path, communicator.size(), communicator.rank())),
       materials_(materials.size()),
       globals_(global_variables.size()),
       variables_(particle_variables(fields)),
       count_(particles.count) {
+  if (continued) {
+    base::collectively(communicator_, [&] { cut_at(path_, *continued); });
+    end_ = *continued;
+    return;
+  }
   ParallelPart part;
   part.ranks = communicator_.size();
   part.rank = communicator_.rank();
@@ -128,10 +134,14 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
     part.global_block_ids.push_back(static_cast<std::int64_t>(m + 1));
   }
 
+  const auto ids = particles.id;
+  const std::int64_t largest_id =
+      particles.count == 0 ? 0 : 1 + *std::max_element(ids, ids + particles.count);
+  const FileSize size{communicator_.max(largest_id), particles.count};
   base::collectively(communicator_, [&] {
     if (counts.back() > 0) throw base::RunError("a particle for '" + path_ + "' has no material");
-    ExodusFile file = ExodusFile::create(path_, precision,
-                                         std::max(longest(materials), longest(global_variables)));
+    ExodusFile file = ExodusFile::create(
+        path_, precision, std::max(longest(materials), longest(global_variables)), size);
     const int id = file.id();
     const std::string title = provenance.title.substr(0, MAX_LINE_LENGTH);
     file.check(ex_put_init(id, title.c_str(), 3, particles.count, particles.count,
@@ -164,7 +174,14 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
     file.put_variable_names(EX_GLOBAL, global_variables);
     if (count_ > 0) file.put_variable_names(EX_NODAL, names(variables_, true));
     file.put_variable_names(EX_ELEM_BLOCK, names(variables_, false));
+    std::vector<int> exists;  // (block, variable): room is made for them now
+    for (std::size_t m = 0; m < materials_; ++m)
+      exists.insert(exists.end(), variables_.size(), counts[m] > 0 ? 1 : 0);
+    file.check(ex_put_truth_table(id, EX_ELEM_BLOCK, static_cast<int>(materials_),
+                                  static_cast<int>(variables_.size()), exists.data()),
+               "which variables exist");
     file.close();
+    end_ = end_of(path_);
   });
 }
 
@@ -172,7 +189,7 @@ StatePieces in_one_piece(std::int64_t count, const ParticleState& state) {
   return [count, state](const auto& use) { use(0, count, state); };
 }
 
-void ParticleFile::write(double load, const ParticleSet& particles, const StatePieces& states,
+void ParticleFile::write(double time, const ParticleSet& particles, const StatePieces& states,
                          const std::vector<double>& globals) {
   base::collectively(communicator_, [&] {
     if (particles.count != count_ || globals.size() != globals_) {
@@ -181,14 +198,9 @@ void ParticleFile::write(double load, const ParticleSet& particles, const StateP
           path_.c_str(), static_cast<long long>(count_), globals_,
           static_cast<long long>(particles.count), globals.size()));
     }
-    const int step = steps_ + 1;
-    ExodusFile file = ExodusFile::open(path_);
-    file.check(ex_put_time(file.id(), step, &load), "the load factor");
-    if (globals_ > 0) {
-      file.check(ex_put_var(file.id(), step, EX_GLOBAL, 1, 0, static_cast<std::int64_t>(globals_),
-                            globals.data()),
-                 "the global variables");
-    }
+  });
+  add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
+    step.put_globals(globals);
     std::vector<std::int64_t> start(materials_, 1);  // next element of each block
     std::vector<double> buffer;
     const auto columns = static_cast<std::int64_t>(variables_.size());
@@ -203,7 +215,7 @@ void ParticleFile::write(double load, const ParticleSet& particles, const StateP
               return variable.value({state, p});
             },
             [&](std::int64_t begin, std::int64_t size, const double* values) {
-              file.put_piece(step, EX_NODAL, at_nodes, 1, first + begin, size, values);
+              step.put_piece(ExodusStep::At::nodes, at_nodes, 1, first + begin, size, values);
             });
       }
       for (std::size_t m = 0; m < materials_; ++m) {
@@ -219,16 +231,14 @@ void ParticleFile::write(double load, const ParticleSet& particles, const StateP
             }
           }
           for (std::int64_t v = 0; v < columns; ++v)
-            file.put_piece(step, EX_ELEM_BLOCK, static_cast<int>(v) + 1,
+            step.put_piece(ExodusStep::At::elements, static_cast<int>(v) + 1,
                            static_cast<std::int64_t>(m + 1), start[m], size,
                            buffer.data() + v * size);
           start[m] += size;
         });
       }
     });
-    file.close();
   });
-  ++steps_;
 }
 
 }  // namespace stroma::output

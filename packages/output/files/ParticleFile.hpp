@@ -8,11 +8,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
+#include "stroma/output/files/ExodusStep.hpp"
 #include "stroma/output/files/ParticleVariables.hpp"
 
 namespace stroma::output {
@@ -45,15 +47,15 @@ StatePieces in_one_piece(std::int64_t count, const ParticleState& state);
 /// change in time, so the nodes stand at the reference positions and `displacement_x/y/z` exists
 /// twice: as a nodal variable, by which ParaView ("Apply Displacements", on by default) shows the
 /// particle at its current position, and as an element variable like the others
-/// (ParticleVariables.cpp). Global variables: a row of history.csv. The time of a step is its load
-/// factor.
+/// (ParticleVariables.cpp). Global variables: a row of history.csv. The time of a step is that of
+/// its row.
 ///
-/// netCDF-4 with 64-bit integers. Nothing is kept but one buffer of bounded size, and the file is
-/// closed between steps, so that a killed run leaves a readable file and a running one can be
-/// looked at.
+/// Nothing is kept but one buffer of bounded size, and the file is closed between steps, so that a
+/// running one can be looked at. What a killed run leaves: see ExodusFile.
 class ParticleFile {
  public:
-  /// Creates the file(s) with everything that does not change. Collective.
+  /// Creates the file(s) with everything that does not change, or continues those that are there,
+  /// and cuts off what comes behind. Collective.
   /// \param communicator      of the ranks that share the particles
   /// \param path              of the file, without the ending of a spread one
   /// \param particles         this rank's
@@ -62,23 +64,27 @@ class ParticleFile {
   /// \param provenance        title, version and deck, kept in the file
   /// \param precision         of the numbers in it
   /// \param fields            those of the states, in their order; the same on all ranks
+  /// \param continued         where this rank's file, written by an equal one, is to be continued
   /// \throws RunError on all ranks, naming the file and what could not be written
   ParticleFile(const base::Communicator& communicator, const std::string& path,
                const ParticleSet& particles, std::vector<std::string> materials,
                std::vector<std::string> global_variables, const Provenance& provenance,
-               Precision precision = Precision::Double, const std::vector<ShownField>& fields = {});
+               Precision precision = Precision::Double, const std::vector<ShownField>& fields = {},
+               const std::optional<FileEnd>& continued = {});
 
   /// Adds one step. Collective.
   /// \param particles  the same particles, in the same order, as at construction
   /// \param states     in pieces of any size
-  /// \param load       load factor, larger than that of the step before
+  /// \param time       of the step, later than that of the step before
   /// \param globals    one value for each global variable: history_values()
   /// \throws RunError on all ranks, naming the file and what could not be written
-  void write(double load, const ParticleSet& particles, const StatePieces& states,
+  void write(double time, const ParticleSet& particles, const StatePieces& states,
              const std::vector<double>& globals);
 
   /// Steps written so far.
-  int steps() const { return steps_; }
+  int steps() const { return static_cast<int>(end_.steps); }
+  /// Where this rank's file ends.
+  const FileEnd& end() const { return end_; }
 
  private:
   base::Communicator communicator_;
@@ -87,7 +93,7 @@ class ParticleFile {
   std::size_t globals_;
   std::vector<ParticleVariable> variables_;
   std::int64_t count_;
-  int steps_ = 0;
+  FileEnd end_;
 };
 
 }  // namespace stroma::output
