@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ using stroma::base::ExitStatus;
 struct Options {
   std::string deck, output, section;
   std::vector<std::string> overrides;
-  bool quiet = false;
+  bool quiet = false, is_restart = false;
+  std::string time_limit;
   stroma::ImageOptions image;
   stroma::PhantomOptions phantom;
 };
@@ -53,6 +55,22 @@ void add_deck(CLI::App& command, Options& options) {
   command
       .add_option("--set", options.overrides, "'Section|Parameter=value', instead of the deck's")
       ->allow_extra_args(false);
+}
+
+/// "HH:MM" or "HH:MM:SS" in seconds; nothing of an empty text.
+/// \throws stroma::base::InputError
+std::optional<double> seconds_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  static const std::regex form("([0-9]{1,4}):([0-5][0-9])(:([0-5][0-9]))?");
+  std::smatch parts;
+  const bool is_time = std::regex_match(text, parts, form);
+  const int seconds = !is_time ? 0
+                               : 3600 * std::stoi(parts[1]) + 60 * std::stoi(parts[2]) +
+                                     (parts[4].matched ? std::stoi(parts[4]) : 0);
+  if (seconds == 0)
+    throw stroma::base::InputError("--time-limit: \"" + text +
+                                   "\"; admissible: HH:MM or HH:MM:SS, above 0");
+  return seconds;
 }
 
 void add_image(CLI::App& command, stroma::ImageOptions& options) {
@@ -127,6 +145,10 @@ int main(int argc, char** argv) {
   add_deck(*run, options);
   run->add_option("-o,--output", options.output,
                   "output folder; else the deck's name without ending");
+  run->add_flag("--restart", options.is_restart,
+                "go on from checkpoint.h5 in the output folder, on any number of ranks");
+  run->add_option("--time-limit", options.time_limit,
+                  "HH:MM or HH:MM:SS; end before it, with a checkpoint");
   run->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* check =
       app.add_subcommand("check", "read everything, run nothing, say what it would be");
@@ -170,13 +192,16 @@ int main(int argc, char** argv) {
     kokkos.emplace(communicator, kokkos_words);
     stroma::base::Log log(communicator, options.quiet);
     if (*run || *check) {
+      const std::optional<double> time_limit = seconds_of(options.time_limit);
       std::optional<stroma::Deck> deck;
       stroma::base::collectively(
           communicator, [&] { deck = stroma::read_deck(options.deck, options.overrides); });
       const std::string folder =
           options.output.empty() ? default_folder(options.deck) : options.output;
       try {
-        if (*run) stroma::run_simulation(communicator, *deck, folder, log);
+        if (*run)
+          stroma::run_simulation(communicator, *deck, {folder, options.is_restart, time_limit},
+                                 log);
         if (*check) stroma::check_command(communicator, *deck, log);
       } catch (const stroma::base::InputError& error) {
         throw stroma::located(*deck, error);

@@ -22,10 +22,10 @@ void write_through(std::FILE* stream, const std::string& text, int& error) {
 
 }  // namespace
 
-void Log::open_file(const std::string& path) {
+void Log::open_file(const std::string& path, bool continued) {
   if (!communicator_.is_root()) return;
   path_ = path;
-  file_.reset(std::fopen(path.c_str(), "w"));
+  file_.reset(std::fopen(path.c_str(), continued ? "a" : "w"));
   if (!file_) throw RunError("cannot write the log file '" + path + "': " + std::strerror(errno));
   write_through(file_.get(), before_file_, file_error_);
   before_file_.clear();

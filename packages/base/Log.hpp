@@ -24,8 +24,10 @@ class Log {
       : communicator_(communicator), quiet_(quiet) {}
 
   /// From now on every line goes to this file too. Lines printed before are written first.
+  /// \param path       of the file
+  /// \param continued  whether to write behind what is there
   /// \throws RunError when the file cannot be opened
-  void open_file(const std::string& path);
+  void open_file(const std::string& path, bool continued = false);
 
   /// Prints one line (or several, separated by \n); a line break is added.
   void line(const std::string& text);

@@ -30,16 +30,19 @@ StopRequests::StopRequests() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGTERM, &action, &term_before_);
   sigaction(SIGINT, &action, &int_before_);
+  sigaction(SIGUSR1, &action, &usr1_before_);
 }
 
 StopRequests::~StopRequests() {
   sigaction(SIGTERM, &term_before_, nullptr);
   sigaction(SIGINT, &int_before_, nullptr);
+  sigaction(SIGUSR1, &usr1_before_, nullptr);
 }
 
 std::string StopRequests::asked(const Communicator& communicator) const {
   const int signal = communicator.max(static_cast<int>(caught));
   if (signal == 0) return "";
+  if (signal == SIGUSR1) return "SIGUSR1";
   return signal == SIGINT ? "SIGINT" : "SIGTERM";
 }
 

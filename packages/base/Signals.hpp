@@ -13,7 +13,7 @@
 
 namespace stroma::base {
 
-/// A signal asked for the end of the run: what was computed is on disk. Exit status 1.
+/// A signal, or a time limit, asked for the end of the run: what was computed is on disk. Exit status 1.
 class Interrupted : public RunError {
  public:
   using RunError::RunError;
@@ -23,7 +23,7 @@ class Interrupted : public RunError {
 /// fails with an error from now on, instead of ending the process.
 void let_writes_fail();
 
-/// While it lives, SIGTERM and SIGINT ask for a stop instead of ending the process; a second SIGINT
+/// While it lives, SIGTERM, SIGINT and SIGUSR1 (by which batch systems warn) ask for a stop instead of ending the process; a second SIGINT
 /// ends it. One at a time.
 class StopRequests {
  public:
@@ -32,12 +32,13 @@ class StopRequests {
   StopRequests(const StopRequests&) = delete;
   StopRequests& operator=(const StopRequests&) = delete;
 
-  /// The signal that any rank got, "SIGTERM" or "SIGINT"; empty when there was none. Collective.
+  /// The signal that any rank got, "SIGTERM", "SIGINT" or "SIGUSR1"; empty when there was none. Collective.
   std::string asked(const Communicator& communicator) const;
 
  private:
   struct sigaction term_before_ {};
   struct sigaction int_before_ {};
+  struct sigaction usr1_before_ {};
 };
 
 }  // namespace stroma::base

@@ -270,4 +270,9 @@ void MomentumBalance::accept(const grid::Vector& u) {
   body_.set_load(load_, 0.0);
 }
 
+void MomentumBalance::resume(double history_load, double load) {
+  history_load_ = history_load;
+  set_load(load);
+}
+
 }  // namespace stroma::mechanics

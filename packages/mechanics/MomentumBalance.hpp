@@ -122,6 +122,9 @@ class MomentumBalance {
   /// Tells the terms that a displacement is that of an accepted step, and that what they will be
   /// asked comes after it: histories may be written.
   void accept(const grid::Vector& u);
+  /// Goes on with a body whose histories were written at one load factor, and which was solved at
+  /// another.
+  void resume(double history_load, double load);
   /// The body's particles have another state than before: forces are to be evaluated anew.
   void forget_forces();
 

@@ -70,11 +70,50 @@ MovingBody::MovingBody(const base::Communicator& communicator, const grid::Parti
           communicator, partition, start_of(communicator, particles, problem), problem)),
       displacement_(std::make_unique<grid::Vector>(balance_->owned_map())) {}
 
+namespace {
+
+/// The balance of a body that goes on.
+std::unique_ptr<MomentumBalance> balance_at(
+    const base::Communicator& communicator, const grid::Partition& partition,
+    particles::Particles<grid::Device> particles, const Problem& problem, const Motion& motion,
+    const std::function<void(particles::Particles<grid::Device>&)>& restore) {
+  particles = start_of(communicator, std::move(particles), problem);
+  restore(particles);
+  grid::Partition now = partition;
+  if (motion.grid) {
+    now = particles::balanced_partition(communicator, *motion.grid, particles);
+    particles = particles::migrate(communicator, now, particles);
+  }
+  auto balance =
+      std::make_unique<MomentumBalance>(communicator, now, particles, problem, motion.base_load);
+  balance->resume(motion.history_load, motion.load);
+  return balance;
+}
+
+}  // namespace
+
+MovingBody::MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
+                       const particles::Particles<grid::Device>& particles, const Problem& problem,
+                       const Motion& motion,
+                       const std::function<void(particles::Particles<grid::Device>&)>& restore)
+    : communicator_(communicator),
+      problem_(problem),
+      balance_(balance_at(communicator, partition, particles, problem, motion, restore)),
+      displacement_(std::make_unique<grid::Vector>(balance_->owned_map())),
+      motion_(motion) {}
+
+void MovingBody::resume(const grid::Vector& u, const grid::Vector* previous) {
+  displacement_->assign(u);
+  previous_.reset();
+  if (previous != nullptr) previous_ = std::make_unique<grid::Vector>(*previous, Teuchos::Copy);
+}
+
 bool MovingBody::begin_step() {
-  if (!has_news_) return false;
-  balance_->accept(*displacement_);
+  if (!motion_.has_news) return false;
+  if (motion_.history_load != motion_.load) balance_->accept(*displacement_);
+  motion_.history_load = motion_.load;
   if (problem_.method.reset) reset_grid();
-  has_news_ = false;
+  motion_.has_news = false;
   if (problem_.method.deformation_gradient == DeformationGradient::projected_displacement)
     project();
   return problem_.method.reset;
@@ -87,15 +126,18 @@ void MovingBody::reset_grid() {
   const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
   moved = particles::migrate(communicator_, partition, moved);
   try {
-    balance_ = std::make_unique<MomentumBalance>(communicator_, partition, moved, problem_, load_);
+    balance_ =
+        std::make_unique<MomentumBalance>(communicator_, partition, moved, problem_, motion_.load);
   } catch (const base::InputError& error) {
     // The conditions were fine in the undeformed body: the motion has brought them into conflict,
-    // or torn the body apart..
+    // or torn the body apart.
     throw base::RunError(
-        base::format("when the grid was reset at load %.6g: %s", load_, error.what()));
+        base::format("when the grid was reset at load %.6g: %s", motion_.load, error.what()));
   }
   displacement_ = std::make_unique<grid::Vector>(balance_->owned_map());
   previous_.reset();
+  motion_.grid = grid;
+  motion_.base_load = motion_.load;
 }
 
 void MovingBody::project() {
@@ -114,7 +156,7 @@ void MovingBody::project() {
 
 std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
   if (!previous_ || !follows_the_load(problem_)) return std::nullopt;
-  const double ratio = (load - load_) / (load_ - previous_load_);
+  const double ratio = (load - motion_.load) / (motion_.load - motion_.previous_load);
   grid::Vector u(*displacement_, Teuchos::Copy);
   u.update(-ratio, *previous_, 1.0 + ratio);
   return u;
@@ -123,9 +165,9 @@ std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
 void MovingBody::accept(double load, const grid::Vector& u) {
   previous_ = std::move(displacement_);
   displacement_ = std::make_unique<grid::Vector>(u, Teuchos::Copy);
-  previous_load_ = load_;
-  load_ = load;
-  has_news_ = true;
+  motion_.previous_load = motion_.load;
+  motion_.load = load;
+  motion_.has_news = true;
 }
 
 }  // namespace stroma::mechanics

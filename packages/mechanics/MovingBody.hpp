@@ -6,12 +6,24 @@
 /// A body through its load steps: which base configuration a step starts from, and what becomes of
 /// its result.
 
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "stroma/mechanics/MomentumBalance.hpp"
 
 namespace stroma::mechanics {
+
+/// How far a body has come: what its particles and its displacement do not tell.
+struct Motion {
+  double load = 0.0;           ///< of the last accepted step
+  double previous_load = 0.0;  ///< of the one before
+  double history_load = 0.0;   ///< up to which laws remember
+  double base_load = 0.0;      ///< at the base configuration
+  bool has_news = false;       ///< no step has begun since the last accepted one
+  /// Of the base configuration, once a grid was reset; else the undeformed body's.
+  std::optional<grid::Grid> grid;
+};
 
 /// Keeps the particles and the grid under them from load step to load step:
 ///
@@ -32,6 +44,24 @@ class MovingBody {
   MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
              const particles::Particles<grid::Device>& particles, const Problem& problem);
 
+  /// Goes on with a body that has moved.
+  ///
+  /// \param communicator  of the ranks that share the body; they may be others than before
+  /// \param partition     of the grid of the undeformed body
+  /// \param particles     of the undeformed body
+  /// \param problem       materials, conditions, loads and the choice of method
+  /// \param motion        how far it has come
+  /// \param restore       gives the particles (of the undeformed body, movable if they are to be)
+  ///                      what steps change of them, at the base configuration (Fields.hpp)
+  /// \throws base::InputError  see Supports; and what restore throws
+  MovingBody(const base::Communicator& communicator, const grid::Partition& partition,
+             const particles::Particles<grid::Device>& particles, const Problem& problem,
+             const Motion& motion,
+             const std::function<void(particles::Particles<grid::Device>&)>& restore);
+  /// The displacements of the last accepted step and, if it is known, of the one before (null: not
+  /// known), over balance().owned_map(): the last that a body needs to go on.
+  void resume(const grid::Vector& u, const grid::Vector* previous);
+
   MomentumBalance& balance() { return *balance_; }
   const MomentumBalance& balance() const { return *balance_; }
 
@@ -42,6 +72,9 @@ class MovingBody {
   /// \throws base::RunError when the new configuration cannot be computed with
   bool begin_step();
 
+  const Motion& motion() const { return motion_; }
+  /// That of the step before, since the same base; null: not known.
+  const grid::Vector* previous_displacement() const { return previous_.get(); }
   /// Displacement since the base configuration [um], of the last accepted step.
   const grid::Vector& displacement() const { return *displacement_; }
   /// Displacement at a load factor if the body goes on as in the last accepted step; nothing if
@@ -62,8 +95,7 @@ class MovingBody {
   std::unique_ptr<MomentumBalance> balance_;
   std::unique_ptr<grid::Vector> displacement_;
   std::unique_ptr<grid::Vector> previous_;  // a step earlier, on the same base; null: not known
-  double load_ = 0.0, previous_load_ = 0.0;
-  bool has_news_ = false;  // a displacement was accepted since the last begin_step()
+  Motion motion_;
 };
 
 }  // namespace stroma::mechanics

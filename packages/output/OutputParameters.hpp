@@ -12,11 +12,13 @@
 
 namespace stroma::output {
 
-/// What is written, and how often. 0 steps between writes means: the last step only.
+/// What is written, and how often. 0 steps between writes means: the last step only. The last step
+/// has a checkpoint in any case.
 struct OutputParameters {
-  int particles_every = 1;   ///< load steps between writes of particles.e
-  int grid_every = 1;        ///< load steps between writes of grid.e
-  int checkpoint_every = 1;  ///< load steps between checkpoints
+  int particles_every = 1;           ///< load steps between writes of particles.e
+  int grid_every = 1;                ///< load steps between writes of grid.e
+  int checkpoint_every = 0;          ///< load steps between checkpoints; 0: no matter how many
+  double checkpoint_minutes = 10.0;  ///< between checkpoints; 0: no matter how many
   Precision precision = Precision::Double;
   bool pictures = true;
   Origin origin = Origin::Top;  ///< of y, in pictures

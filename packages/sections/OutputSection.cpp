@@ -14,9 +14,14 @@ deck::Section<OutputParameters> output_section() {
                 "Load steps between two writes of particles.e; 0: the last step only.")
       .optional("Grid Every", &OutputParameters::grid_every, deck::at_least(0),
                 "Load steps between two writes of grid.e; 0: the last step only.")
-      .optional("Checkpoint Every", &OutputParameters::checkpoint_every, deck::at_least(0),
-                "Load steps between two checkpoints; 0: the last step only. This version writes "
-                "none yet.")
+      .optional(
+          "Checkpoint Every", &OutputParameters::checkpoint_every, deck::at_least(0),
+          "Load steps between two checkpoints (checkpoint.h5, from which `stroma run --restart` "
+          "goes on); 0: as Checkpoint Minutes says. One is written at the end, too, and where a "
+          "run is stopped by a signal or by --time-limit.")
+      .optional(
+          "Checkpoint Minutes", &OutputParameters::checkpoint_minutes, deck::at_least(0.0),
+          "Minutes between two checkpoints, at the end of a step; 0: as Checkpoint Every says.")
       .choice(
           "Precision", &OutputParameters::precision,
           {{"Double", Precision::Double}, {"Single", Precision::Single}},

@@ -84,21 +84,22 @@ void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
 /// convergence asks for. A digit costs a good preconditioner little more than one iteration and
 /// another Newton step an assembly, so that in doubt the step is solved better.
 void NewtonSolver::choose_forcing(double now) {
-  const double before = std::exchange(last_relative_, now);
+  const double before = std::exchange(memory_.last_relative, now);
   if (parameters_.forcing == Forcing::constant) return;
   if (residual_history_.size() > 1) {
     const double seen = now / (before * before);
-    const bool is_nonlinear = now > 2.0 * last_forcing_ * before;  // else a bound from above
-    if (now < before) nonlinearity_ = is_nonlinear ? seen : std::min(nonlinearity_, seen);
+    const bool is_nonlinear = now > 2.0 * memory_.last_forcing * before;  // else a bound from above
+    if (now < before)
+      memory_.nonlinearity = is_nonlinear ? seen : std::min(memory_.nonlinearity, seen);
   }
-  const double nonlinear_error = nonlinearity_ * now * now;
+  const double nonlinear_error = memory_.nonlinearity * now * now;
   const double goal = nonlinear_error < parameters_.newton_tolerance
                           ? 0.01 * parameters_.newton_tolerance
                           : 0.1 * nonlinear_error;
   const double loosest = loosest_forcing();
-  last_forcing_ =
+  memory_.last_forcing =
       now > 0.0 ? std::max(std::min(goal / now, loosest), parameters_.linear_tolerance) : loosest;
-  linear_solver_->set_forcing(last_forcing_);
+  linear_solver_->set_forcing(memory_.last_forcing);
 }
 
 /// A linear solve leaves this share of its residual at most. Where springs are pulled, theirs is
@@ -114,7 +115,8 @@ double NewtonSolver::loosest_forcing() const { return 1e-3 / balance_->stiffness
 /// \param seen  the largest so far, of iterates too [pN]
 double NewtonSolver::force_scale(double now, double size, double& seen) const {
   if (std::isfinite(now)) seen = std::max(seen, now);
-  const double borne = std::isfinite(now) ? std::max(largest_force_, now) : largest_force_;
+  const double borne =
+      std::isfinite(now) ? std::max(memory_.largest_force, now) : memory_.largest_force;
   const bool bears_some = borne > 1e-6 * balance_->body().typical_diagonal() * size;
   return bears_some && seen > 2.0 * borne ? borne : seen;
 }
@@ -126,7 +128,7 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
   balance_->supports().impose(balance_->load(), u);  // to the last bit
   residual_history_.clear();
   bool only_rounding_is_left = false;
-  double hold = 0.0, seen = largest_force_, scale = largest_force_;
+  double hold = 0.0, seen = memory_.largest_force, scale = memory_.largest_force;
   const auto is_good = [&](const NOX::Abstract::Group& group) {
     const auto at = displacement_of(group);
     const mechanics::ForceBalance& forces = balance_->forces(*at);
@@ -169,10 +171,10 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
         base::format("Newton did not converge in %d iterations (residual %.2e)",
                      solver->getNumIterations(), residual_history_.back()));
   if (only_rounding_is_left) check_rounding(u);
-  largest_force_ = scale;
+  memory_.largest_force = scale;
   NewtonResult result;
   result.is_limited_by_rounding = only_rounding_is_left;
-  if (largest_force_ > 0.0) result.hold_share = hold / largest_force_;
+  if (memory_.largest_force > 0.0) result.hold_share = hold / memory_.largest_force;
   result.iterations = solver->getNumIterations();
   result.linear_iterations = linear_solver_->total_iterations() - reported_iterations_;
   reported_iterations_ = linear_solver_->total_iterations();

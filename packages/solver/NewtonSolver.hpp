@@ -26,6 +26,15 @@ struct NewtonResult {
   double hold_share = 0.0;
 };
 
+/// What a solver has learnt in the steps of a run.
+struct NewtonMemory {
+  /// ||residual|| after an exact Newton step / that before^2, both relative to the forces.
+  double nonlinearity = 0.01;
+  double last_relative = 0.0;  ///< residual of the last iterate
+  double last_forcing = 0.0;
+  double largest_force = 0.0;  ///< of accepted steps [pN]
+};
+
 /// Solves residual(u) = 0 for one load. Norms are Euclidean, over all ranks.
 class NewtonSolver {
  public:
@@ -55,6 +64,10 @@ class NewtonSolver {
   /// elements. Collective.
   void predict(grid::Vector& u, const grid::Vector& prescribed_change);
 
+  const NewtonMemory& memory() const { return memory_; }
+  /// Goes on as one that has learnt this.
+  void remember(const NewtonMemory& memory) { memory_ = memory; }
+
   /// Relative residual of the start and after each iteration of the last solve().
   const std::vector<double>& residual_history() const { return residual_history_; }
 
@@ -70,11 +83,7 @@ class NewtonSolver {
   void check_rounding(const grid::Vector& u) const;
 
   long long reported_iterations_ = 0;
-  /// ||residual|| after an exact Newton step / that before^2, both relative to the forces.
-  double nonlinearity_ = 0.01;
-  double last_relative_ = 0.0;  // residual of the iterate before
-  double last_forcing_ = 0.0;
-  double largest_force_ = 0.0;  // of accepted steps [pN]
+  NewtonMemory memory_;
   std::vector<double> residual_history_;
 };
 

@@ -13,8 +13,12 @@ constexpr double rounding = 1e-9;  // of a step
 
 }  // namespace
 
-StepControl::StepControl(const LoadingParameters& parameters)
-    : parameters_(parameters), size_(step_at(0.0).length) {}
+StepControl::StepControl(const LoadingParameters& parameters, const LoadProgress& progress)
+    : parameters_(parameters), now_(progress) {
+  if (finished()) return;
+  const double whole = step_at(now_.load).length;
+  now_.size = now_.size > 0.0 ? std::min(now_.size, whole) : whole;
+}
 
 StepControl::Step StepControl::step_at(double load) const {
   if (!parameters_.times) {
@@ -33,23 +37,24 @@ StepControl::Step StepControl::step_at(double load) const {
 }
 
 double StepControl::next() const {
-  const Step step = step_at(load_);
-  return load_ + size_ > step.end - rounding * step.length ? step.end : load_ + size_;
+  const Step step = step_at(now_.load);
+  return now_.load + now_.size > step.end - rounding * step.length ? step.end
+                                                                   : now_.load + now_.size;
 }
 
 void StepControl::accept() {
-  const bool was_whole = size_ >= step_at(load_).length;
-  load_ = next();
-  ++accepted_;
+  const bool was_whole = now_.size >= step_at(now_.load).length;
+  now_.load = next();
+  ++now_.accepted;
   if (finished()) return;
-  const double whole = step_at(load_).length;
-  size_ = was_whole ? whole : std::min(2.0 * size_, whole);
+  const double whole = step_at(now_.load).length;
+  now_.size = was_whole ? whole : std::min(2.0 * now_.size, whole);
 }
 
 bool StepControl::reject() {
-  const double half = 0.5 * (next() - load_);
+  const double half = 0.5 * (next() - now_.load);
   if (half < parameters_.smallest_step) return false;
-  size_ = half;
+  now_.size = half;
   return true;
 }
 

@@ -9,15 +9,23 @@
 
 namespace stroma::solver {
 
+/// How far a load has come.
+struct LoadProgress {
+  double load = 0.0;
+  double size = 0.0;  ///< of the next step; 0: a whole one of the deck
+  int accepted = 0;   ///< steps
+};
+
 /// Hands out load factors from 0 to 1. A rejected step is halved; accepted ones let it double
 /// again, up to a whole step of the deck. Ends of the deck's steps (multiples of 1 / Steps, or
 /// Times) are never stepped over, so that results exist there whatever was rejected on the way.
 class StepControl {
  public:
-  explicit StepControl(const LoadingParameters& parameters);
+  explicit StepControl(const LoadingParameters& parameters, const LoadProgress& progress = {});
 
-  double load() const { return load_; }
-  bool finished() const { return load_ >= 1.0; }
+  const LoadProgress& progress() const { return now_; }
+  double load() const { return now_.load; }
+  bool finished() const { return now_.load >= 1.0; }
   /// The load factor to try.
   double next() const;
   /// The step to next() has converged.
@@ -26,7 +34,7 @@ class StepControl {
   /// \return false when the half would be below the smallest step
   bool reject();
   /// Steps accepted so far.
-  int accepted() const { return accepted_; }
+  int accepted() const { return now_.accepted; }
 
  private:
   /// The deck's step that a load factor lies in: its end, and its length.
@@ -36,9 +44,7 @@ class StepControl {
   Step step_at(double load) const;
 
   LoadingParameters parameters_;
-  double load_ = 0.0;
-  double size_;
-  int accepted_ = 0;
+  LoadProgress now_;
 };
 
 }  // namespace stroma::solver

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -33,23 +34,6 @@ namespace {
 
 std::string absolute(const deck::Document& document, const std::string& file) {
   return std::filesystem::absolute(document.resolve(file)).lexically_normal().string();
-}
-
-/// visit(where, file) for each image file that a deck names.
-template <class Visit>
-void for_each_image_file(DeckParameters& p, const Visit& visit) {
-  if (p.image.file) visit("Image|File", *p.image.file);
-  for (auto& [name, material] : p.materials.materials) {
-    const std::string where = "Materials|" + name + "|";
-    if (material.fields)
-      for (auto& [field, parameters] : material.fields->fields)
-        if (parameters.file) visit(where + "Fields|" + field + "|Image", *parameters.file);
-    if (!material.fibers) continue;
-    for (auto& [family, fibers] : material.fibers->families) {
-      if (fibers.file) visit(where + "Fibers|" + family + "|Image", *fibers.file);
-      for (std::string& file : fibers.images) visit(where + "Fibers|" + family + "|Images", file);
-    }
-  }
 }
 
 /// A material's fields and structure tensors ask for an image of intensities.
@@ -137,6 +121,22 @@ void refuse_mean_without_energy_of_volume(const DeckParameters& p, deck::Finding
 
 }  // namespace
 
+void for_each_image_file(DeckParameters& p,
+                         const std::function<void(const std::string&, std::string&)>& visit) {
+  if (p.image.file) visit("Image|File", *p.image.file);
+  for (auto& [name, material] : p.materials.materials) {
+    const std::string where = "Materials|" + name + "|";
+    if (material.fields)
+      for (auto& [field, parameters] : material.fields->fields)
+        if (parameters.file) visit(where + "Fields|" + field + "|Image", *parameters.file);
+    if (!material.fibers) continue;
+    for (auto& [family, fibers] : material.fibers->families) {
+      if (fibers.file) visit(where + "Fibers|" + family + "|Image", *fibers.file);
+      for (std::string& file : fibers.images) visit(where + "Fibers|" + family + "|Images", file);
+    }
+  }
+}
+
 deck::Section<DeckParameters> deck_section() {
   deck::Section<DeckParameters> section(
       "Stroma",
@@ -182,7 +182,7 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
   });
   std::ifstream file(path);
   return {std::move(document), std::move(parameters),
-          std::string(std::istreambuf_iterator<char>(file), {})};
+          std::string(std::istreambuf_iterator<char>(file), {}), overrides};
 }
 
 std::vector<std::string> input_files(const Deck& deck) {

@@ -5,6 +5,7 @@
 /// \file
 /// The whole deck: one plain struct, filled once.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,13 +50,18 @@ deck::Section<DeckParameters> deck_section();
 struct Deck {
   deck::Document document;
   DeckParameters parameters;
-  std::string text;  ///< as the user wrote it
+  std::string text;                    ///< as the user wrote it
+  std::vector<std::string> overrides;  ///< from --set
 };
 
 /// Reads and checks a deck.
 /// \param overrides  "Section|Parameter=value", from --set
 /// \throws base::InputError with every mistake of the deck
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides);
+
+/// Calls visit(where, file) for each image file that a deck names.
+void for_each_image_file(DeckParameters& parameters,
+                         const std::function<void(const std::string&, std::string&)>& visit);
 
 /// The files that a deck is read from: itself and its image.
 std::vector<std::string> input_files(const Deck& deck);

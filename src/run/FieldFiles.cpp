@@ -3,6 +3,9 @@
 #include "run/FieldFiles.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
 
 #include "run/HomeOrder.hpp"
 #include "run/MovingSupports.hpp"
@@ -22,6 +25,86 @@ FieldFiles::FieldFiles(const base::Communicator& communicator, const Deck& deck,
       conditions_(names(deck.parameters.boundary_conditions.conditions)),
       materials_(names(deck.parameters.materials.materials)),
       provenance_{deck.parameters.title, output::program_version(), deck.text} {}
+
+namespace {
+
+/// Cuts a set of files at their ends. Collective. \return  whether all of them go as far
+bool cut_all(const base::Communicator& communicator, const std::string& path,
+             const std::vector<output::FileEnd>& ends) {
+  const int ranks = static_cast<int>(ends.size());
+  bool is_good = true;
+  base::collectively(communicator, [&] {
+    for (int r = communicator.rank(); r < ranks; r += communicator.size()) {
+      const output::FileEnd& end = ends[static_cast<std::size_t>(r)];
+      try {
+        is_good = end.bytes > 0 && output::cut_at(output::spread_file_name(path, ranks, r), end) &&
+                  is_good;
+      } catch (const base::RunError&) {  // it is none of ours
+        is_good = false;
+      }
+    }
+  });
+  return !communicator.any(!is_good);
+}
+
+void remove_all(const base::Communicator& communicator, const std::string& path, int ranks) {
+  for (int r = communicator.rank(); r < ranks; r += communicator.size())
+    std::remove(output::spread_file_name(path, ranks, r).c_str());
+}
+
+}  // namespace
+
+std::string FieldFiles::resume(const FieldFilesEnd& end) {
+  const int ranks = static_cast<int>(end.particles.size());
+  const auto own = static_cast<std::size_t>(communicator_.rank());
+  const bool are_ours = ranks == communicator_.size();
+  std::string missing;
+  if (end.particles_step >= 0) {
+    const bool is_good = cut_all(communicator_, folder_.particles(), end.particles);
+    if (is_good && are_ours) {
+      particles_continued_ = end.particles[own];
+      particles_step_ = end.particles_step;
+    }
+    if (!is_good) missing = "particles.e";
+  }
+  if (end.grid_step >= 0) {
+    const auto last = static_cast<int>(end.grid_files);
+    for (int number = last + 1; std::filesystem::exists(
+             output::spread_file_name(folder_.grid(number), ranks, communicator_.rank() % ranks));
+         ++number)
+      remove_all(communicator_, folder_.grid(number), ranks);
+    const bool is_good = cut_all(communicator_, folder_.grid(last), end.grid);
+    if (is_good && are_ours) {
+      grid_continued_ = end.grid[own];
+      grid_step_ = end.grid_step;
+      grid_files_ = last;
+    }
+    if (!is_good) missing += missing.empty() ? "grid.e" : " and grid.e";
+  }
+  if (!missing.empty())
+    return missing + " of the steps before cannot be continued; begun anew with the next step";
+  if (!are_ours)
+    return base::format(
+        "particles.e and grid.e of the steps before are those of %d ranks; the steps to come go "
+        "into those of %d",
+        ranks, communicator_.size());
+  return "";
+}
+
+FieldFilesEnd FieldFiles::end() const {
+  const auto everyone = [&](const output::FileEnd& own) {
+    const auto steps = communicator_.gather(own.steps), bytes = communicator_.gather(own.bytes);
+    std::vector<output::FileEnd> all;
+    for (std::size_t r = 0; r < steps.size(); ++r) all.push_back({steps[r], bytes[r]});
+    return all;
+  };
+  const auto at = [](const auto& file, const std::optional<output::FileEnd>& continued) {
+    return file ? file->end() : continued.value_or(output::FileEnd());
+  };
+  return {particles_step_, grid_step_, grid_files_,
+          everyone(at(particle_file_, particles_continued_)),
+          everyone(at(grid_file_, grid_continued_))};
+}
 
 void FieldFiles::write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                            const grid::Vector& u) {
@@ -97,7 +180,8 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
       fields.push_back(one.field);
     particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                            output::history_columns(conditions_, materials_), provenance_,
-                           deck_->parameters.output.precision, fields);
+                           deck_->parameters.output.precision, fields,
+                           std::exchange(particles_continued_, std::nullopt));
   }
   particle_file_->write(row.time, particle_set(), states(balance, u), output::history_values(row));
   particles_step_ = row.step;
@@ -115,8 +199,11 @@ void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
   part.origin = grid.origin;
   part.spacing = grid.spacing;
   part.active = filled.data();
-  grid_file_.emplace(communicator_, folder_.grid(++grid_files_), part, provenance_,
-                     deck_->parameters.output.precision);
+  std::optional<output::FileEnd> continued = std::exchange(grid_continued_, std::nullopt);
+  if (deck_->parameters.grid.reset) continued.reset();  // each step has a file of its own
+  if (!continued) ++grid_files_;
+  grid_file_.emplace(communicator_, folder_.grid(grid_files_), part, provenance_,
+                     deck_->parameters.output.precision, continued);
 }
 
 void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,

@@ -20,12 +20,29 @@
 
 namespace stroma {
 
+/// How far the files of fields go.
+struct FieldFilesEnd {
+  std::int64_t particles_step = -1;  ///< last one written; -1: none
+  std::int64_t grid_step = -1;       ///< last one written; -1: none
+  std::int64_t grid_files = 0;       ///< grid.e, grid.e-s002, ...
+  /// (rank) of the run that wrote them: particles.e, and the last of the grid's files.
+  std::vector<output::FileEnd> particles, grid;
+};
+
 /// Writes particles.e, grid.e and, on a grid that is reset, a file of the grid for each step; each
 /// is opened when it is first written. All but on_disk() and particle_set() is collective.
 class FieldFiles {
  public:
   FieldFiles(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
              const output::RunFolder& folder);
+
+  /// Goes on with the files of an earlier run: what comes behind their ends is cut off. Of another
+  /// number of ranks they stay as they are then, and the steps to come go into new ones. Collective.
+  /// \return  what a user should know of it, or empty
+  /// \throws base::RunError when a file cannot be changed
+  std::string resume(const FieldFilesEnd& end);
+  /// How far they go now. Collective.
+  FieldFilesEnd end() const;
 
   /// Writes an accepted step, as often as the deck asks.
   void write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
@@ -57,6 +74,7 @@ class FieldFiles {
   output::Provenance provenance_;
   std::optional<output::ParticleFile> particle_file_;
   std::optional<output::GridFile> grid_file_;
+  std::optional<output::FileEnd> particles_continued_, grid_continued_;  // of files not opened yet
   int grid_files_ = 0;
   std::int64_t particles_step_ = -1, grid_step_ = -1;  ///< last ones written
 };

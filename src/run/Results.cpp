@@ -13,7 +13,7 @@
 namespace stroma {
 
 Results::Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-                 const output::RunFolder& folder, base::Log& log)
+                 const output::RunFolder& folder, base::Log& log, const ResultsSoFar& so_far)
     : communicator_(communicator),
       deck_(&deck),
       specimen_(&specimen),
@@ -23,8 +23,13 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
                 deck.parameters.output.origin),
       history_(communicator, folder.history(),
                names(deck.parameters.boundary_conditions.conditions),
-               names(deck.parameters.materials.materials)),
-      fields_(communicator, deck, specimen, folder) {
+               names(deck.parameters.materials.materials), so_far.rows),
+      fields_(communicator, deck, specimen, folder),
+      rows_(so_far.rows) {
+  if (!rows_.empty()) {
+    const std::string note = fields_.resume(so_far.files);
+    if (!note.empty()) log.note(note);
+  }
   output::write_deck(communicator, folder.deck(), *as_run(deck),
                      run_facts(communicator, folder.taken(), specimen.files));
   folder.finish("deck.xml");
@@ -39,6 +44,7 @@ void Results::write(output::HistoryRow row, mechanics::MomentumBalance& balance,
 }
 
 std::string Results::on_disk() const {
+  if (rows_.empty()) return "nothing is on disk yet";
   return base::format("on disk in %s: history.csv to step %lld (load %.6g)",
                       folder_.folder().c_str(), static_cast<long long>(rows_.back().step),
                       rows_.back().load) +
@@ -60,7 +66,6 @@ void Results::draw(const std::vector<output::MovingSupport>& moving,
 
 void Results::finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
-  fields_.write_last(rows_.back(), balance, u);
   const auto moving = moving_supports(deck_->parameters, specimen_->body.lengths());
   if (deck_->parameters.output.pictures) draw(moving, balance, u);
   folder_.finish();

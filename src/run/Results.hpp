@@ -20,12 +20,22 @@
 
 namespace stroma {
 
+/// What a run has left on disk up to some step.
+struct ResultsSoFar {
+  std::vector<output::HistoryRow> rows;
+  FieldFilesEnd files;
+};
+
 /// Writes history.csv, particles.e, grid.e, deck.xml and the pictures of one run.
 class Results {
  public:
-  /// Writes deck.xml and opens the files. Collective.
+  /// Writes deck.xml and begins history.csv; or goes on with what there is, and cuts off what comes
+  /// behind it. Collective.
   Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-          const output::RunFolder& folder, base::Log& log);
+          const output::RunFolder& folder, base::Log& log, const ResultsSoFar& so_far = {});
+
+  /// Collective.
+  ResultsSoFar so_far() const { return {rows_, fields_.end()}; }
 
   /// Writes an accepted step: its row always, the fields as often as the deck asks. The row's
   /// reactions, energy and material figures are computed here from u. Collective.
@@ -34,8 +44,12 @@ class Results {
   /// What is on disk so far, in a few words.
   std::string on_disk() const;
 
-  /// Writes the last accepted step's fields if they were not due, draws the pictures and prints a
-  /// table of all steps: at the end of a run, and of one that failed. Collective.
+  /// Writes the last accepted step's fields if they were not due. Collective.
+  void write_last(mechanics::MomentumBalance& balance, const grid::Vector& u) {
+    fields_.write_last(rows_.back(), balance, u);
+  }
+  /// Draws the pictures and prints a table of all steps: at the end of a run, and of one that
+  /// failed. Collective.
   void finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
               const std::function<double()>& seconds);
 

@@ -18,6 +18,12 @@ RunLog::RunLog(const base::Communicator& communicator, const Deck& deck, base::L
 
 double RunLog::seconds() const { return MPI_Wtime() - start_; }
 
+void RunLog::go_on(const output::HistoryRow& row) {
+  start_ -= row.wall_seconds;
+  log_->line(
+      format("goes on    after step %lld, load %.6g", static_cast<long long>(row.step), row.load));
+}
+
 void RunLog::describe(const Specimen& specimen, const mechanics::MomentumBalance& balance) {
   const image::ImageSummary& image = specimen.image;
   const grid::Grid& grid = specimen.body;

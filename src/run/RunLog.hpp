@@ -10,6 +10,7 @@
 #include "run/Specimen.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/mechanics/MovingBody.hpp"
+#include "stroma/output/files/History.hpp"
 #include "stroma/solver/NewtonSolver.hpp"
 #include "stroma/solver/StepControl.hpp"
 
@@ -20,9 +21,11 @@ class RunLog {
  public:
   RunLog(const base::Communicator& communicator, const Deck& deck, base::Log& log);
 
-  /// Wall time since the run began [s].
+  /// Wall time since the run began [s], that of the runs included which it goes on from.
   double seconds() const;
 
+  /// The run goes on after this step, and its clock with it.
+  void go_on(const output::HistoryRow& row);
   /// Specimen, grid and particles, and what should be known of them. Collective.
   void describe(const Specimen& specimen, const mechanics::MomentumBalance& balance);
   void newton(int iteration, double residual, long long linear_iterations);

@@ -2,13 +2,15 @@
 
 #include "run/Simulation.hpp"
 
+#include <memory>
 #include <optional>
 
+#include "run/Checkpoints.hpp"
 #include "run/Results.hpp"
 #include "run/RunLog.hpp"
 #include "run/Specimen.hpp"
+#include "run/StopRequest.hpp"
 #include "stroma/base/Error.hpp"
-#include "stroma/base/Signals.hpp"
 #include "stroma/solver/LoadStep.hpp"
 #include "stroma/solver/StepControl.hpp"
 #include "stroma/solver/TrialSolve.hpp"
@@ -16,44 +18,46 @@
 namespace stroma {
 namespace {
 
-/// Ends the run where a signal asks for it, and says what is on disk.
-class StopRequest {
+/// A step failed at the smallest size: the run ends, with all that was accepted.
+class StepFailed : public base::RunError {
  public:
-  StopRequest(const base::Communicator& communicator, const Results& results, base::Log& log)
-      : communicator_(communicator), results_(results), log_(log) {}
-
-  /// \throws base::Interrupted
-  void obey() const {
-    const std::string signal = signals_.asked(communicator_);
-    if (signal.empty()) return;
-    const std::string text = "stopped by " + signal + "; " + results_.on_disk();
-    log_.line(text);
-    throw base::Interrupted(text);
-  }
-
- private:
-  base::StopRequests signals_;
-  base::Communicator communicator_;
-  const Results& results_;
-  base::Log& log_;
+  using base::RunError::RunError;
 };
 
 /// Solves the step to load.next(), or halves it.
 /// \return nothing when it was halved
-/// \throws base::RunError when Loading|Smallest Step forbids it
+/// \throws StepFailed when Loading|Smallest Step forbids it, or the step cannot be begun
 std::optional<solver::NewtonResult> try_step(mechanics::MovingBody& body,
                                              solver::NewtonSolver& newton,
-                                             solver::StepControl& load, grid::Vector& trial,
-                                             const Deck& deck, const std::string& folder,
-                                             RunLog& say) {
+                                             solver::StepControl& load,
+                                             std::optional<grid::Vector>& trial, const Deck& deck,
+                                             const std::string& folder, RunLog& say) {
   try {
-    return solver::solve_step(body, newton, load.next(), trial);
+    const mechanics::PiecesSummary before = body.balance().supports().pieces();
+    solver::begin_step(body, newton);
+    say.compare_pieces(before, body.balance().supports(), load.load());
+    trial.emplace(body.balance().owned_map());
+    return solver::solve_step(body, newton, load.next(), *trial);
   } catch (const base::StepRejected& rejected) {
     say.rejected(load.next(), rejected.what());
     body.reject();
     if (load.reject()) return std::nullopt;
-    throw base::RunError(failure(deck, body.balance(), trial, load, rejected.what(), folder));
+    throw StepFailed(failure(deck, body.balance(), *trial, load, rejected.what(), folder));
+  } catch (const base::Interrupted&) {
+    throw;
+  } catch (const base::RunError& error) {
+    throw StepFailed(error.what());
   }
+}
+
+/// The command by which a run goes on from its checkpoint.
+std::string how_to_go_on(const base::Communicator& communicator, const Deck& deck,
+                         const std::string& folder) {
+  const std::string ranks =
+      communicator.size() == 1 ? "" : base::format("mpirun -np %d ", communicator.size());
+  std::string command = ranks + "stroma run " + deck.document.path() + " -o " + folder;
+  for (const std::string& one : deck.overrides) command += " --set '" + one + "'";
+  return "to go on: " + command + " --restart";
 }
 
 output::HistoryRow row_of(const solver::StepControl& load, double time,
@@ -72,11 +76,14 @@ output::HistoryRow row_of(const solver::StepControl& load, double time,
 }  // namespace
 
 void run_simulation(const base::Communicator& communicator, const Deck& deck,
-                    const std::string& output_folder, base::Log& log) {
+                    const RunOptions& options, base::Log& log) {
   RunLog say(communicator, deck, log);
-  const output::RunFolder folder(communicator, output_folder,
+  StopRequest stop(communicator, options.time_limit);
+  const output::RunFolder folder(communicator, options.folder,
                                  output::run_files(deck.parameters.output.pictures));
   folder.refuse_foreign_files(input_files(deck));
+  std::optional<Checkpoint> before;
+  if (options.is_restart) before.emplace(communicator, folder.checkpoint(), deck);
   solver::try_lists(communicator, deck.parameters.solver);
 
   // Image stack -> labels -> particles on a grid.
@@ -84,54 +91,79 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   const Specimen specimen = make_specimen(communicator, deck, *image);
   image.reset();
 
-  mechanics::MovingBody body(communicator, specimen.partition, specimen.particles,
-                             problem_of(deck, specimen));
-  folder.remove_old_results(log);
-  base::collectively(communicator, [&] { log.open_file(folder.log()); });
-  say.describe(specimen, body.balance());
-  Results results(communicator, deck, specimen, folder, log);
-  const auto finish = [&] {
-    results.finish(body.balance(), body.displacement(), [&] { return say.seconds(); });
-  };
+  const std::unique_ptr<mechanics::MovingBody> body =
+      before
+          ? before->body(specimen, problem_of(deck, specimen))
+          : std::make_unique<mechanics::MovingBody>(communicator, specimen.partition,
+                                                    specimen.particles, problem_of(deck, specimen));
+  before ? folder.continue_results(log) : folder.remove_old_results(log);
+  base::collectively(communicator, [&] { log.open_file(folder.log(), options.is_restart); });
+  if (before) say.go_on(before->state().results.rows.back());
+  say.describe(specimen, body->balance());
 
-  const StopRequest stop(communicator, results, log);
-  solver::NewtonSolver newton(deck.parameters.solver, body.balance(),
+  RunState state = before ? before->state() : RunState();
+  Results results(communicator, deck, specimen, folder, log, state.results);
+  Checkpoints checkpoints(communicator, folder.checkpoint(), deck, specimen,
+                          before ? state.load.accepted : -1);
+  solver::NewtonSolver newton(deck.parameters.solver, body->balance(),
                               [&](int iteration, double residual, long long linear) {
-                                stop.obey();
+                                stop.obey(false);
                                 say.newton(iteration, residual, linear);
                               });
-  solver::StepControl load(deck.parameters.loading);
-  results.write({}, body.balance(), body.displacement());
+  newton.remember(state.newton);
+  solver::StepControl load(deck.parameters.loading, state.load);
+  before.reset();
 
-  while (!load.finished()) {
-    std::optional<grid::Vector> trial;
-    std::optional<solver::NewtonResult> solved;
-    try {
-      const mechanics::PiecesSummary before = body.balance().supports().pieces();
-      solver::begin_step(body, newton);
-      say.compare_pieces(before, body.balance().supports(), load.load());
-      trial.emplace(body.balance().owned_map());
-      solved = try_step(body, newton, load, *trial, deck, folder.folder(), say);
-    } catch (const base::Interrupted&) {
-      throw;  // at once: who sent the signal gives seconds, and what is on disk has been told
-    } catch (const base::RunError&) {
-      finish();
-      throw;
+  const auto now = [&]() -> RunState {
+    return {load.progress(), state.newton, results.so_far()};
+  };
+  const auto conclude = [&] {
+    results.write_last(body->balance(), body->displacement());
+    checkpoints.write(*body, now());
+    results.finish(body->balance(), body->displacement(), [&] { return say.seconds(); });
+  };
+  const auto end_of = [&] {
+    return results.on_disk() + checkpoints.on_disk() + "\n" +
+           how_to_go_on(communicator, deck, folder.folder());
+  };
+
+  try {
+    if (!options.is_restart) results.write({}, body->balance(), body->displacement());
+    while (!load.finished()) {
+      const double begin = say.seconds();
+      state.newton = newton.memory();  // what an interrupted try learns counts for nothing
+      std::optional<grid::Vector> trial;
+      const auto solved = try_step(*body, newton, load, trial, deck, folder.folder(), say);
+      if (!solved) continue;
+
+      // The step has converged: only now does anything change.
+      body->accept(load.next(), *trial);
+      load.accept();
+      state.newton = newton.memory();
+      results.write(
+          row_of(load, load.load() * deck.parameters.loading.seconds(), *solved, say.seconds()),
+          body->balance(), *trial);
+      say.accepted(load, *solved);
+      log.require_written();
+      if (load.finished()) break;
+      // A run that goes on from here has no preconditioner of earlier steps: neither has this one.
+      if (checkpoints.write_due(*body, now())) newton.attach(body->balance());
+      stop.learn(say.seconds() - begin, checkpoints.seconds());
+      stop.obey(true);
     }
-    if (!solved) continue;
-
-    // The step has converged: only now does anything change.
-    body.accept(load.next(), *trial);
-    load.accept();
-    results.write(
-        row_of(load, load.load() * deck.parameters.loading.seconds(), *solved, say.seconds()),
-        body.balance(), *trial);
-    say.accepted(load, *solved);
-    log.require_written();
-    if (!load.finished()) stop.obey();
+    say.stabilization(*body);
+    conclude();
+  } catch (const base::Interrupted& asked) {
+    checkpoints.write(*body, now());
+    const std::string text = std::string("stopped by ") + asked.what() + "; " + end_of();
+    log.line(text);
+    throw base::Interrupted(text);
+  } catch (const StepFailed& failed) {
+    conclude();
+    throw;
+  } catch (const base::RunError& error) {
+    throw base::RunError(std::string(error.what()) + "\n" + end_of());
   }
-  say.stabilization(body);
-  finish();
 }
 
 }  // namespace stroma

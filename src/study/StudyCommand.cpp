@@ -57,7 +57,7 @@ std::string run_member(const base::Communicator& communicator, const std::string
   Teuchos::TimeMonitor::zeroOutTimers();  // the member's log tells the times of the member
   base::Log log(communicator, true);
   try {
-    run_simulation(communicator, deck, folder, log);
+    run_simulation(communicator, deck, {folder, false, {}}, log);
     log.finish();
     return "";
   } catch (const base::Interrupted& interrupted) {

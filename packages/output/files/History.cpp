@@ -2,6 +2,8 @@
 
 #include "stroma/output/files/History.hpp"
 
+#include <type_traits>
+
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
@@ -14,8 +16,8 @@ std::string digits(std::int64_t value) { return std::to_string(value); }
 std::string digits(double value) { return base::format("%.17g", value); }
 
 /// Calls use(value) with the entries of a row in the order of the columns, counts as integers.
-template <class Use>
-void for_each_value(const HistoryRow& row, const Use& use) {
+template <class Row, class Use>
+void for_each_value(Row& row, const Use& use) {
   use(row.step);
   use(row.load);
   use(row.time);
@@ -24,10 +26,10 @@ void for_each_value(const HistoryRow& row, const Use& use) {
   use(row.residual);
   use(row.wall_seconds);
   use(row.strain_energy);
-  for (const auto& reaction : row.reactions) {
-    for (const double component : reaction) use(component);
+  for (auto& reaction : row.reactions) {
+    for (auto& component : reaction) use(component);
   }
-  for (const MaterialSummary& material : row.materials) {
+  for (auto& material : row.materials) {
     use(material.volume);
     use(material.von_mises_mean);
     use(material.von_mises_max);
@@ -59,9 +61,31 @@ std::vector<double> history_values(const HistoryRow& row) {
   return values;
 }
 
+HistoryRow history_row(const std::vector<double>& values, std::size_t boundary_conditions,
+                       std::size_t materials) {
+  HistoryRow row;
+  row.reactions.resize(boundary_conditions);
+  row.materials.resize(materials);
+  std::size_t next = 0;
+  for_each_value(row, [&](auto& value) {
+    value = static_cast<std::decay_t<decltype(value)>>(values.at(next++));
+  });
+  return row;
+}
+
+namespace {
+
+std::string line_of(const HistoryRow& row) {
+  std::string line;
+  for_each_value(row, [&](auto value) { line += (line.empty() ? "" : ",") + digits(value); });
+  return line + "\n";
+}
+
+}  // namespace
+
 History::History(const base::Communicator& communicator, std::string path,
                  const std::vector<std::string>& boundary_conditions,
-                 const std::vector<std::string>& materials)
+                 const std::vector<std::string>& materials, const std::vector<HistoryRow>& rows)
     : communicator_(communicator),
       path_(std::move(path)),
       boundary_conditions_(boundary_conditions.size()),
@@ -70,7 +94,11 @@ History::History(const base::Communicator& communicator, std::string path,
   for (const std::string& column : history_columns(boundary_conditions, materials)) {
     header += (header.empty() ? "" : ",") + csv_field(column);
   }
-  write_line(header, WriteMode::replace);
+  std::string text = header + "\n";
+  for (const HistoryRow& row : rows) text += line_of(row);
+  base::collectively(communicator_, [&] {
+    if (communicator_.is_root()) replace_file(path_, text);
+  });
 }
 
 void History::append(const HistoryRow& row) {
@@ -80,16 +108,10 @@ void History::append(const HistoryRow& row) {
         path_.c_str(), row.reactions.size(), row.materials.size(), boundary_conditions_,
         materials_));
   }
-  std::string line;
-  for_each_value(row, [&](auto value) { line += (line.empty() ? "" : ",") + digits(value); });
-  write_line(line, WriteMode::append);
-}
-
-void History::write_line(const std::string& line, WriteMode mode) {
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;
     // Opened for each row and closed again, so that a reader finds whole lines at any time.
-    write_file(path_, line + "\n", mode);
+    write_file(path_, line_of(row), WriteMode::append);
   });
 }
 

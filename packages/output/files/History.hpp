@@ -44,17 +44,26 @@ std::vector<std::string> history_columns(const std::vector<std::string>& boundar
 /// The row as numbers, in the order of history_columns.
 std::vector<double> history_values(const HistoryRow& row);
 
+/// The row of such numbers.
+HistoryRow history_row(const std::vector<double>& values, std::size_t boundary_conditions,
+                       std::size_t materials);
+
 /// Writes history.csv from rank 0: a header, then a row per step, on disk before append() returns,
 /// so that a killed run keeps every completed step. Floating-point numbers have 17 significant
 /// digits, which read back to the same bits. A name with a comma or a quote is quoted as in RFC
 /// 4180.
 class History {
  public:
-  /// Creates (or empties) the file and writes the header. Collective.
+  /// Writes the file anew, all at once: the header, and the rows of a run that goes on. Collective.
+  /// \param communicator         of the run
+  /// \param path                 of the file
+  /// \param boundary_conditions  their names
+  /// \param materials            their names
+  /// \param rows                 the first ones of the file
   /// \throws RunError on all ranks when the file cannot be written
   History(const base::Communicator& communicator, std::string path,
           const std::vector<std::string>& boundary_conditions,
-          const std::vector<std::string>& materials);
+          const std::vector<std::string>& materials, const std::vector<HistoryRow>& rows = {});
 
   /// Adds one row. Collective.
   /// \throws RunError on all ranks when the row did not reach the file (disk full), or does not
@@ -62,8 +71,6 @@ class History {
   void append(const HistoryRow& row);
 
  private:
-  void write_line(const std::string& line, WriteMode mode);
-
   base::Communicator communicator_;
   std::string path_;
   std::size_t boundary_conditions_;

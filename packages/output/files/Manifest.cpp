@@ -40,7 +40,7 @@ bool begins_as_written(const fs::path& path) {
   const std::string begin = bytes_of(file, 0, 64);
   const auto is = [&](const std::string& text) { return begin.rfind(text, 0) == 0; };
   const std::string ending = path.extension().string(), name = path.filename().string();
-  if (begin.empty() || name == "log.txt") return true;
+  if (begin.empty() || name == "log.txt" || ending == ".new") return true;
   if (ending == ".xml") return is("<!-- The deck as it was run");
   if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
   if (ending == ".png") return is("\x89PNG");

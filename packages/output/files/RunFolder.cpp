@@ -86,7 +86,9 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
 }  // namespace
 
 std::vector<std::string> run_files(bool pictures) {
-  std::vector<std::string> names{"deck.xml", "history.csv", "log.txt", "particles.e", "grid.e"};
+  std::vector<std::string> names{"deck.xml",          "history.csv",    "log.txt",
+                                 "particles.e",       "grid.e",         "checkpoint.h5",
+                                 "checkpoint.h5.new", "history.csv.new"};
   if (pictures)
     for (const char* picture : {"vessels", "von_mises", "force"}) add_picture(names, picture);
   return names;
@@ -173,6 +175,14 @@ void RunFolder::remove_old_results(base::Log& log) const {
       log.line(base::format("removed     %zu file%s of an earlier run from %s", removed,
                             removed == 1 ? "" : "s", folder_.c_str()));
     manifest.begin(names_);
+  });
+}
+
+void RunFolder::continue_results(base::Log& log) const {
+  base::collectively(communicator_, [&] {
+    if (!communicator_.is_root()) return;
+    if (!hold_->lock->note().empty()) log.note(hold_->lock->note());
+    Manifest(folder_).begin(names_);
   });
 }
 

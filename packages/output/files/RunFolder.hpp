@@ -50,10 +50,12 @@ class RunFolder {
 
   /// Removes what an earlier run left, of any number of ranks, so that no stale file passes for a
   /// result of this run; only what a run is known to have left, as it left it. From now on, files
-  /// of this run's names count as left by it. Collective. Not to be called by a run that continues
-  /// another one.
+  /// of this run's names count as left by it. Collective.
   /// \throws InputError on all ranks when a file cannot be removed
   void remove_old_results(base::Log& log) const;
+
+  /// Leaves what an earlier run left, for this one goes on with it. Collective.
+  void continue_results(base::Log& log) const;
 
   /// A file is written and will not change. Collective.
   void finish(const std::string& file) const;

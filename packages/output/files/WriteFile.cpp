@@ -24,4 +24,16 @@ void write_file(const std::string& path, const std::string& text, WriteMode mode
   if (!written) throw base::RunError("cannot write '" + path + "': " + std::strerror(reason));
 }
 
+void replace_file(const std::string& path, const std::string& text) {
+  const std::string draft = path + ".new";
+  try {
+    write_file(draft, text);
+  } catch (const base::RunError&) {
+    std::remove(draft.c_str());
+    throw;
+  }
+  if (std::rename(draft.c_str(), path.c_str()) != 0)
+    throw base::RunError("cannot write '" + path + "': " + std::strerror(errno));
+}
+
 }  // namespace stroma::output

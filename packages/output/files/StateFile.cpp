@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/output/files/StateFile.hpp"
+
+#include <fcntl.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <numeric>
+
+#include "stroma/base/Error.hpp"
+
+namespace stroma::output {
+namespace {
+
+std::uint64_t product(const std::vector<std::uint64_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{1}, std::multiplies<>());
+}
+
+std::size_t bytes_of(StateArray::Type type) { return type == StateArray::Type::byte ? 1 : 8; }
+
+hid_t in_file(StateArray::Type type) {
+  if (type == StateArray::Type::real) return H5T_IEEE_F64LE;
+  return type == StateArray::Type::integer ? H5T_STD_I64LE : H5T_STD_U8LE;
+}
+
+hid_t in_memory(StateArray::Type type) {
+  if (type == StateArray::Type::real) return H5T_NATIVE_DOUBLE;
+  return type == StateArray::Type::integer ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT8;
+}
+
+/// An identifier of HDF5, with the function that gives it back.
+class Id {
+ public:
+  Id(hid_t id, herr_t (*give_back)(hid_t)) : id_(id), close_(give_back) {}
+  Id(const Id&) = delete;
+  Id& operator=(const Id&) = delete;
+  ~Id() { close(); }
+
+  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
+  bool close() {
+    const hid_t id = id_;
+    id_ = -1;
+    return id < 0 || close_(id) >= 0;
+  }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+/// While it lives, HDF5 prints no errors.
+class Quiet {
+ public:
+  Quiet() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Pieces of at most 2^17 values, each with its checksum.
+std::vector<hsize_t> chunk_of(const std::vector<std::uint64_t>& shape) {
+  std::vector<hsize_t> chunk(shape.begin(), shape.end());
+  const auto size = [&] {
+    return std::accumulate(chunk.begin(), chunk.end(), hsize_t{1}, std::multiplies<>());
+  };
+  for (hsize_t& axis : chunk)
+    while (axis > 1 && size() > hsize_t{1} << 17) axis = (axis + 1) / 2;
+  return chunk;
+}
+
+void select(hid_t space, const Slab& box) {
+  if (box.size() == 0) {
+    H5Sselect_none(space);
+    return;
+  }
+  const std::vector<hsize_t> begin(box.begin.begin(), box.begin.end()),
+      count(box.count.begin(), box.count.end());
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr);
+}
+
+/// Writes a text beside a dataset. \return  whether it is there
+bool put_text(hid_t dataset, const char* name, const std::string& text) {
+  const Id type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
+  const Id attribute(H5Acreate2(dataset, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return attribute >= 0 && H5Awrite(attribute, type, text.c_str()) >= 0;
+}
+
+/// Writes one array; all ranks come here whatever went wrong on one of them. \return  success
+bool put(hid_t file, const StateArray& array) {
+  const std::vector<hsize_t> shape(array.shape.begin(), array.shape.end()),
+      chunk = chunk_of(array.shape);
+  const int axes = static_cast<int>(shape.size());
+  const Id space(H5Screate_simple(axes, shape.data(), nullptr), H5Sclose);
+  const Id links(H5Pcreate(H5P_LINK_CREATE), H5Pclose),
+      how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  H5Pset_chunk(how, axes, chunk.data());
+  H5Pset_fletcher32(how);
+  H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);
+  Id dataset(
+      H5Dcreate2(file, array.name.c_str(), in_file(array.type), space, links, how, H5P_DEFAULT),
+      H5Dclose);
+  const hsize_t count = array.mine.size();
+  const Id memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  if (count == 0) H5Sselect_none(memory);
+  select(space, array.mine);
+  const Id together(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE);
+  const double nothing = 0.0;
+  const bool is_written = H5Dwrite(dataset, in_memory(array.type), memory, space, together,
+                                   count == 0 ? &nothing : array.values) >= 0;
+  const bool is_told = put_text(dataset, "about", array.about);
+  return dataset.close() && is_written && is_told;
+}
+
+/// Makes sure, on one rank, that the disk takes a file of this size: what fails here fails cleanly,
+/// before others depend on it.
+void require_room(const std::string& path, std::uint64_t bytes) {
+  const auto fail = [&] {
+    const int reason = errno;
+    ::unlink(path.c_str());
+    throw base::RunError("cannot write '" + path + "': " + std::strerror(reason));
+  };
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (file < 0) fail();
+  const int made = ::fallocate(file, 0, 0, static_cast<off_t>(bytes));
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  if (made != 0 && reason != EOPNOTSUPP && reason != ENOSYS) fail();
+  ::unlink(path.c_str());
+}
+
+void sync(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY);
+  if (file < 0 || ::fsync(file) != 0) {
+    const int reason = errno;
+    if (file >= 0) ::close(file);
+    throw base::RunError("cannot write '" + path + "': " + std::strerror(reason));
+  }
+  ::close(file);
+}
+
+/// \return  whether all that this rank has to do with the file succeeded
+bool write_together(const base::Communicator& communicator, const std::string& path,
+                    const std::vector<StateArray>& arrays) {
+  const Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
+  H5Pset_fapl_mpio(access, communicator.raw(), MPI_INFO_NULL);
+  Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
+  if (communicator.any(file < 0)) return false;
+  bool is_good = true;
+  for (const StateArray& array : arrays) is_good = put(file, array) && is_good;
+  return file.close() && is_good;
+}
+
+}  // namespace
+
+std::uint64_t Slab::size() const { return product(count); }
+
+std::string draft_of_state(const std::string& path) { return path + ".new"; }
+
+void write_state(const base::Communicator& communicator, const std::string& path,
+                 const std::vector<StateArray>& arrays) {
+  const std::string draft = draft_of_state(path);
+  std::uint64_t bytes = 1u << 16;
+  for (const StateArray& array : arrays)
+    bytes += 4096 + product(array.shape) * bytes_of(array.type) * 1001 / 1000;
+  base::collectively(communicator, [&] {
+    if (communicator.is_root()) require_room(draft, bytes);
+  });
+  const Quiet quiet;
+  const bool is_good = write_together(communicator, draft, arrays);
+  base::collectively(communicator, [&] {
+    if (!is_good)
+      throw base::RunError("cannot write '" + draft + "': HDF5 could not write all of it");
+  });
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
+    sync(draft);
+    if (std::rename(draft.c_str(), path.c_str()) != 0)
+      throw base::RunError("cannot write '" + path + "': " + std::strerror(errno));
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    sync(folder.empty() ? "." : folder);
+  });
+}
+
+StateReader::StateReader(std::string path) : path_(std::move(path)), file_(-1) {
+  std::error_code failure;
+  const auto status = std::filesystem::status(path_, failure);
+  if (!std::filesystem::exists(status)) refuse("there is no such file");
+  if (!std::filesystem::is_regular_file(status)) refuse("it is no file");
+  const Quiet quiet;
+  file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (file_ < 0) refuse("it is no HDF5 file, or it is damaged");
+}
+
+StateReader::~StateReader() {
+  const Quiet quiet;
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+void StateReader::refuse(const std::string& problem) const {
+  throw base::InputError("cannot read '" + path_ + "': " + problem);
+}
+
+bool StateReader::has(const std::string& name) const {
+  const Quiet quiet;
+  for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) {
+    if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::vector<std::uint64_t> StateReader::shape(const std::string& name) const {
+  const Quiet quiet;
+  const Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset < 0) refuse("it has no " + name + ", or it is damaged");
+  const Id space(H5Dget_space(dataset), H5Sclose);
+  const int axes = H5Sget_simple_extent_ndims(space);
+  if (axes < 1) refuse(name + " is damaged");
+  std::vector<hsize_t> shape(static_cast<std::size_t>(axes));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return {shape.begin(), shape.end()};
+}
+
+void StateReader::read(const std::string& name, const Slab& box, StateArray::Type type,
+                       void* values) const {
+  const std::vector<std::uint64_t> all = shape(name);
+  if (all.size() != box.begin.size()) refuse(name + " has another number of axes than expected");
+  for (std::size_t d = 0; d < all.size(); ++d)
+    if (box.begin[d] + box.count[d] > all[d]) refuse(name + " is smaller than expected");
+  const Quiet quiet;
+  const Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
+  const Id stored(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
+  if (H5Tequal(stored, in_file(type)) <= 0) refuse(name + " is of another type than expected");
+  const hsize_t count = box.size();
+  const Id memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  select(space, box);
+  if (count == 0) return;
+  if (H5Dread(dataset, in_memory(type), memory, space, H5P_DEFAULT, values) < 0)
+    refuse(name + " is damaged: its checksum is not that of its values");
+}
+
+namespace {
+
+template <class T>
+constexpr StateArray::Type type_of = StateArray::Type::real;
+template <>
+constexpr StateArray::Type type_of<std::int64_t> = StateArray::Type::integer;
+template <>
+constexpr StateArray::Type type_of<std::uint8_t> = StateArray::Type::byte;
+
+}  // namespace
+
+template <class T>
+std::vector<T> StateReader::get(const std::string& name, const Slab& box) const {
+  const std::vector<std::uint64_t> all = shape(name);
+  if (box.size() > product(all)) refuse(name + " is smaller than expected");
+  if (product(all) > (std::uint64_t{1} << 50)) refuse(name + " is damaged");
+  std::vector<T> values(box.size());
+  read(name, box, type_of<T>, values.data());
+  return values;
+}
+
+template std::vector<double> StateReader::get(const std::string&, const Slab&) const;
+template std::vector<std::int64_t> StateReader::get(const std::string&, const Slab&) const;
+template std::vector<std::uint8_t> StateReader::get(const std::string&, const Slab&) const;
+
+}  // namespace stroma::output

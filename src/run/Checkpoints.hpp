@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// When a run writes its checkpoint.
+
+#include <cstdint>
+#include <string>
+
+#include "run/Checkpoint.hpp"
+
+namespace stroma {
+
+/// Keeps checkpoint.h5 of one run up to date.
+class Checkpoints {
+ public:
+  /// \param communicator  of the run
+  /// \param path          of checkpoint.h5
+  /// \param deck          as run; it says how often
+  /// \param specimen      of the deck
+  /// \param step          of the checkpoint that is on disk; -1: none
+  Checkpoints(const base::Communicator& communicator, std::string path, const Deck& deck,
+              const Specimen& specimen, std::int64_t step);
+
+  /// Writes an accepted step, as often as the deck asks. Collective. \return  whether it was due
+  /// \throws base::RunError
+  bool write_due(const mechanics::MovingBody& body, const RunState& state);
+  /// Writes it unless it is on disk. Collective. \throws base::RunError
+  void write(const mechanics::MovingBody& body, const RunState& state);
+
+  /// ", checkpoint.h5 of step 3"; empty if there is none.
+  std::string on_disk() const;
+  /// The longest time that one took [s].
+  double seconds() const { return seconds_; }
+
+ private:
+  base::Communicator communicator_;
+  std::string path_;
+  const Deck* deck_;
+  const Specimen* specimen_;
+  std::int64_t step_;
+  double written_at_;  // MPI_Wtime() of rank 0
+  double seconds_ = 0.0;
+};
+
+}  // namespace stroma
