@@ -109,8 +109,10 @@ FieldFilesEnd FieldFiles::end() const {
 void FieldFiles::write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                            const grid::Vector& u) {
   const auto& when = deck_->parameters.output;
-  if (output::is_due(row.step, when.particles_every, false)) write_particles(row, balance, u);
-  if (output::is_due(row.step, when.grid_every, false)) write_grid(row, balance, u);
+  if (particles_step_ != row.step && output::is_due(row.step, when.particles_every, false))
+    write_particles(row, balance, u);
+  if (grid_step_ != row.step && output::is_due(row.step, when.grid_every, false))
+    write_grid(row, balance, u);
 }
 
 void FieldFiles::write_last(const output::HistoryRow& row, mechanics::MomentumBalance& balance,

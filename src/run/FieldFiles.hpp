@@ -44,7 +44,7 @@ class FieldFiles {
   /// How far they go now. Collective.
   FieldFilesEnd end() const;
 
-  /// Writes an accepted step, as often as the deck asks.
+  /// Writes an accepted step, as often as the deck asks, unless it is written.
   void write_due(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                  const grid::Vector& u);
   /// Writes the last accepted step where it was not due.

@@ -41,6 +41,11 @@ class Results {
   /// reactions, energy and material figures are computed here from u. Collective.
   void write(output::HistoryRow row, mechanics::MomentumBalance& balance, const grid::Vector& u);
 
+  /// Writes what was due of the last step that there is and could not be written. Collective.
+  void write_missing(mechanics::MomentumBalance& balance, const grid::Vector& u) {
+    fields_.write_due(rows_.back(), balance, u);
+  }
+
   /// What is on disk so far, in a few words.
   std::string on_disk() const;
 

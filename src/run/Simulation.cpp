@@ -50,14 +50,15 @@ std::optional<solver::NewtonResult> try_step(mechanics::MovingBody& body,
   }
 }
 
-/// The command by which a run goes on from its checkpoint.
+/// The command by which a run goes on from its checkpoint, or begins anew if it has none.
 std::string how_to_go_on(const base::Communicator& communicator, const Deck& deck,
-                         const std::string& folder) {
+                         const std::string& folder, bool has_checkpoint) {
   const std::string ranks =
       communicator.size() == 1 ? "" : base::format("mpirun -np %d ", communicator.size());
   std::string command = ranks + "stroma run " + deck.document.path() + " -o " + folder;
   for (const std::string& one : deck.overrides) command += " --set '" + one + "'";
-  return "to go on: " + command + " --restart";
+  return has_checkpoint ? "to go on: " + command + " --restart"
+                        : "there is no checkpoint yet; to begin anew: " + command;
 }
 
 output::HistoryRow row_of(const solver::StepControl& load, double time,
@@ -114,9 +115,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   solver::StepControl load(deck.parameters.loading, state.load);
   before.reset();
 
-  const auto now = [&]() -> RunState {
-    return {load.progress(), state.newton, results.so_far()};
-  };
+  const auto now = [&]() -> RunState { return {load.progress(), state.newton, results.so_far()}; };
   const auto conclude = [&] {
     results.write_last(body->balance(), body->displacement());
     checkpoints.write(*body, now());
@@ -124,11 +123,14 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   };
   const auto end_of = [&] {
     return results.on_disk() + checkpoints.on_disk() + "\n" +
-           how_to_go_on(communicator, deck, folder.folder());
+           how_to_go_on(communicator, deck, folder.folder(), !checkpoints.on_disk().empty());
   };
 
   try {
-    if (!options.is_restart) results.write({}, body->balance(), body->displacement());
+    if (options.is_restart)
+      results.write_missing(body->balance(), body->displacement());
+    else
+      results.write({}, body->balance(), body->displacement());
     while (!load.finished()) {
       const double begin = say.seconds();
       state.newton = newton.memory();  // what an interrupted try learns counts for nothing
@@ -161,7 +163,12 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   } catch (const StepFailed& failed) {
     conclude();
     throw;
-  } catch (const base::RunError& error) {
+  } catch (
+      const base::RunError& error) {  // a file could not be written: is there room for this one?
+    try {
+      checkpoints.write(*body, now());
+    } catch (const base::RunError&) {
+    }
     throw base::RunError(std::string(error.what()) + "\n" + end_of());
   }
 }
