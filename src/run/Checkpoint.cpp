@@ -202,9 +202,9 @@ void add_history(Arrays& arrays, const Deck& deck, const ResultsSoFar& results) 
 }
 
 /// A line for each file: its checksum.
-std::string image_checksums(const Specimen& specimen) {
+std::string checksums(const std::vector<KnownFile>& files) {
   std::string text;
-  for (const ImageFile& file : specimen.files) text += file.sha256 + "\n";
+  for (const KnownFile& file : files) text += file.sha256 + "\n";
   return text;
 }
 
@@ -218,15 +218,15 @@ std::string text_in(const output::StateReader& file, const std::string& name) {
 }  // namespace
 
 void write_checkpoint(const base::Communicator& communicator, const std::string& path,
-                      const Deck& deck, const Specimen& specimen, const mechanics::MovingBody& body,
-                      const RunState& state) {
+                      const Deck& deck, const std::vector<KnownFile>& files,
+                      const mechanics::MovingBody& body, const RunState& state) {
   const base::Stage stage("checkpoint");
   const mechanics::Motion& motion = body.motion();
   const grid::Partition& partition = body.balance().halo().partition();
   Arrays arrays(communicator);
   arrays.shared("format", "version of this format", std::vector<std::int64_t>{format_version});
   arrays.text("deck", "the body's part of the deck, XML", body_of_deck(deck));
-  arrays.text("image", "SHA-256 of the image files", image_checksums(specimen));
+  arrays.text("image", "SHA-256 of the image files", checksums(files));
   arrays.shared("loading/duration", "[s]; 1 where the deck has none",
                 std::vector<double>{deck.parameters.loading.seconds()});
   arrays.shared(
@@ -362,8 +362,8 @@ void Checkpoint::require_same_past(const Deck& deck, double stretch) const {
   }
 }
 
-void Checkpoint::require_image(const Specimen& specimen) const {
-  const std::string here = image_checksums(specimen);
+void Checkpoint::require_image(const std::vector<KnownFile>& files) const {
+  const std::string here = checksums(files);
   on_every_rank([&] {
     if (text_in(*file_, "image") != here)
       throw base::InputError(

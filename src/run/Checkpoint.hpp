@@ -30,8 +30,8 @@ struct RunState {
 /// Writes a checkpoint, in place of the one before. Collective.
 /// \throws base::RunError on all ranks when it cannot be written; the one before is still there
 void write_checkpoint(const base::Communicator& communicator, const std::string& path,
-                      const Deck& deck, const Specimen& specimen, const mechanics::MovingBody& body,
-                      const RunState& state);
+                      const Deck& deck, const std::vector<KnownFile>& files,
+                      const mechanics::MovingBody& body, const RunState& state);
 
 /// A checkpoint that a run goes on from. Every member function is collective; what is damaged in the
 /// file is a base::InputError on all ranks.
@@ -43,7 +43,7 @@ class Checkpoint {
   Checkpoint(const base::Communicator& communicator, const std::string& path, const Deck& deck);
 
   /// \throws base::InputError when the image files are not those that the run had
-  void require_image(const Specimen& specimen) const;
+  void require_image(const std::vector<KnownFile>& files) const;
 
   /// All of the run but its body. Load factors are those of the deck's duration.
   const RunState& state() const { return state_; }

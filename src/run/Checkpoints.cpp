@@ -12,11 +12,11 @@
 namespace stroma {
 
 Checkpoints::Checkpoints(const base::Communicator& communicator, std::string path, const Deck& deck,
-                         const Specimen& specimen, std::int64_t step)
+                         const std::vector<KnownFile>& files, std::int64_t step)
     : communicator_(communicator),
       path_(std::move(path)),
       deck_(&deck),
-      specimen_(&specimen),
+      files_(&files),
       step_(step),
       written_at_(MPI_Wtime()) {}
 
@@ -33,7 +33,7 @@ bool Checkpoints::write_due(const mechanics::MovingBody& body, const RunState& s
 void Checkpoints::write(const mechanics::MovingBody& body, const RunState& state) {
   if (step_ == state.load.accepted) return;
   const double begin = MPI_Wtime();
-  write_checkpoint(communicator_, path_, *deck_, *specimen_, body, state);
+  write_checkpoint(communicator_, path_, *deck_, *files_, body, state);
   step_ = state.load.accepted;
   written_at_ = MPI_Wtime();
   seconds_ = std::max(seconds_, communicator_.max(written_at_ - begin));

@@ -18,10 +18,10 @@ class Checkpoints {
   /// \param communicator  of the run
   /// \param path          of checkpoint.h5
   /// \param deck          as run; it says how often
-  /// \param specimen      of the deck
+  /// \param files         that the specimen was read from; they stay
   /// \param step          of the checkpoint that is on disk; -1: none
   Checkpoints(const base::Communicator& communicator, std::string path, const Deck& deck,
-              const Specimen& specimen, std::int64_t step);
+              const std::vector<KnownFile>& files, std::int64_t step);
 
   /// Writes an accepted step, as often as the deck asks. Collective. \return  whether it was due
   /// \throws base::RunError
@@ -38,7 +38,7 @@ class Checkpoints {
   base::Communicator communicator_;
   std::string path_;
   const Deck* deck_;
-  const Specimen* specimen_;
+  const std::vector<KnownFile>* files_;
   std::int64_t step_;
   double written_at_;  // MPI_Wtime() of rank 0
   double seconds_ = 0.0;

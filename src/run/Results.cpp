@@ -13,7 +13,8 @@
 namespace stroma {
 
 Results::Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-                 const output::RunFolder& folder, base::Log& log, const ResultsSoFar& so_far)
+                 const std::vector<KnownFile>& files, const output::RunFolder& folder,
+                 base::Log& log, const ResultsSoFar& so_far)
     : communicator_(communicator),
       deck_(&deck),
       specimen_(&specimen),
@@ -31,7 +32,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
     if (!note.empty()) log.note(note);
   }
   output::write_deck(communicator, folder.deck(), *as_run(deck),
-                     run_facts(communicator, folder.taken(), specimen.files));
+                     run_facts(communicator, folder.taken(), files));
   folder.finish("deck.xml");
 }
 

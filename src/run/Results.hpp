@@ -11,6 +11,7 @@
 
 #include "run/Deck.hpp"
 #include "run/FieldFiles.hpp"
+#include "run/KnownFiles.hpp"
 #include "run/Specimen.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/mechanics/MomentumBalance.hpp"
@@ -32,7 +33,8 @@ class Results {
   /// Writes deck.xml and begins history.csv; or goes on with what there is, and cuts off what comes
   /// behind it. Collective.
   Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-          const output::RunFolder& folder, base::Log& log, const ResultsSoFar& so_far = {});
+          const std::vector<KnownFile>& files, const output::RunFolder& folder, base::Log& log,
+          const ResultsSoFar& so_far = {});
 
   /// Collective.
   ResultsSoFar so_far() const { return {rows_, fields_.end()}; }

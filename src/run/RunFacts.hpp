@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "run/KnownFiles.hpp"
 #include "stroma/base/Communicator.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
 
 namespace stroma {
 
 /// Ranks, threads of a rank, the machines ("2 (node07, node08)"), the start in UTC
-/// (ISO 8601), and of each file that was read its absolute path, size [bytes] and SHA-256. Each
-/// file is read once, by rank 0, which alone gets an answer. Collective.
+/// (ISO 8601), and of each file that was read its absolute path, size [bytes] and SHA-256; rank 0's
+/// answer counts. Collective.
 /// \param communicator  of the ranks of the run
 /// \param start         of the run
-/// \param files         that it was read from; one that is named twice is listed once
-/// \throws base::RunError on all ranks when a file cannot be read any more
+/// \param files         that it was read from
 output::Facts run_facts(const base::Communicator& communicator, std::time_t start,
-                        const std::vector<std::string>& files);
+                        const std::vector<KnownFile>& files);
 
 }  // namespace stroma

@@ -91,6 +91,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   std::optional<SpecimenImage> image = read_image(communicator, deck);
   const Specimen specimen = make_specimen(communicator, deck, *image);
   image.reset();
+  const std::vector<KnownFile> files = known_files(communicator, specimen.files);
+  if (before) before->require_image(files);
 
   const std::unique_ptr<mechanics::MovingBody> body =
       before
@@ -103,8 +105,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   say.describe(specimen, body->balance());
 
   RunState state = before ? before->state() : RunState();
-  Results results(communicator, deck, specimen, folder, log, state.results);
-  Checkpoints checkpoints(communicator, folder.checkpoint(), deck, specimen,
+  Results results(communicator, deck, specimen, files, folder, log, state.results);
+  Checkpoints checkpoints(communicator, folder.checkpoint(), deck, files,
                           before ? state.load.accepted : -1);
   solver::NewtonSolver newton(deck.parameters.solver, body->balance(),
                               [&](int iteration, double residual, long long linear) {

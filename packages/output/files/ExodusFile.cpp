@@ -84,7 +84,11 @@ ExodusFile ExodusFile::create(const std::string& path, Precision precision,
   const int format = is_for_classic(size) ? EX_LARGE_MODEL : EX_NETCDF4 | EX_ALL_INT64_DB;
   const int id =
       ex_create(path.c_str(), EX_CLOBBER | EX_ALL_INT64_API | format, &memory_bytes, &file_bytes);
-  if (id < 0) throw base::RunError("cannot create '" + path + "': " + reason_of_library());
+  const int system_reason = errno;
+  if (id < 0)
+    throw base::RunError(
+        "cannot create '" + path + "': " +
+        (is_of_the_disk(system_reason) ? std::strerror(system_reason) : reason_of_library()));
   ExodusFile file(id, path);
   file.check(ex_set_max_name_length(id, static_cast<int>(std::max<std::size_t>(longest_name, 32))),
              "the length of names");
