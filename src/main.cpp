@@ -18,6 +18,7 @@
 #include "commands/CheckCommand.hpp"
 #include "commands/ImageCommand.hpp"
 #include "commands/PhantomCommand.hpp"
+#include "commands/VerifyCommand.hpp"
 #include "run/Deck.hpp"
 #include "run/Simulation.hpp"
 #include "stroma/base/Communicator.hpp"
@@ -162,6 +163,9 @@ int main(int argc, char** argv) {
   study->add_option("-o,--output", options.output,
                     "output folder; else the deck's name without ending");
   study->add_flag("--quiet", options.quiet, "print errors only");
+  CLI::App* verify =
+      app.add_subcommand("verify", "check a folder of results against its deck and image");
+  verify->add_option("DIR", options.output, "the folder that a run wrote")->required();
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
   reference->add_option("SECTION", options.section,
                         "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
@@ -214,6 +218,8 @@ int main(int argc, char** argv) {
       const std::string folder =
           options.output.empty() ? default_folder(options.deck) : options.output;
       stroma::study_command(communicator, options.deck, folder, log);
+    } else if (*verify) {
+      stroma::verify_command(communicator, options.output, log);
     } else if (*reference) {
       const bool of_study = (options.section + "|").rfind("Study|", 0) == 0;
       log.line(of_study

@@ -362,13 +362,17 @@ void Checkpoint::require_same_past(const Deck& deck, double stretch) const {
   }
 }
 
-void Checkpoint::require_image(const std::vector<KnownFile>& files) const {
-  const std::string here = checksums(files);
-  on_every_rank([&] {
-    if (text_in(*file_, "image") != here)
-      throw base::InputError(
-          "the image files are not those that the run had (their checksums differ)");
-  });
+bool Checkpoint::has_images(const std::vector<KnownFile>& files) const {
+  bool are_the_same = false;
+  on_every_rank([&] { are_the_same = text_in(*file_, "image") == checksums(files); });
+  return are_the_same;
+}
+
+void Checkpoint::require_images(const std::vector<KnownFile>& files) const {
+  if (!has_images(files))
+    throw base::InputError("cannot go on from '" + file_->path() +
+                           "': the image files are not those that the run had (their checksums "
+                           "differ)");
 }
 
 std::unique_ptr<mechanics::MovingBody> Checkpoint::body(const Specimen& specimen,

@@ -42,8 +42,10 @@ class Checkpoint {
   ///         or whose load curves were others in the steps that it has behind it
   Checkpoint(const base::Communicator& communicator, const std::string& path, const Deck& deck);
 
-  /// \throws base::InputError when the image files are not those that the run had
-  void require_image(const std::vector<KnownFile>& files) const;
+  /// Whether image files are those that the run had, by their checksums.
+  bool has_images(const std::vector<KnownFile>& files) const;
+  /// \throws base::InputError when they are not
+  void require_images(const std::vector<KnownFile>& files) const;
 
   /// All of the run but its body. Load factors are those of the deck's duration.
   const RunState& state() const { return state_; }

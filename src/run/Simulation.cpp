@@ -92,7 +92,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   const Specimen specimen = make_specimen(communicator, deck, *image);
   image.reset();
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
-  if (before) before->require_image(files);
+  if (before) before->require_images(files);
 
   const std::unique_ptr<mechanics::MovingBody> body =
       before

@@ -139,41 +139,44 @@ struct RunFolder::Hold {
   std::optional<FolderLock> lock;
 };
 
+RunFiles::RunFiles(std::string folder) : folder_(std::move(folder)) {
+  while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
+}
+
 RunFolder::RunFolder(const base::Communicator& communicator, std::string folder,
                      std::vector<std::string> names)
-    : communicator_(communicator), folder_(std::move(folder)), names_(std::move(names)) {
-  while (folder_.size() > 1 && folder_.back() == '/') folder_.pop_back();
+    : RunFiles(std::move(folder)), communicator_(communicator), names_(std::move(names)) {
   base::collectively(communicator_, [&] {
-    if (communicator_.is_root()) hold_ = std::make_shared<Hold>(folder_);
+    if (communicator_.is_root()) hold_ = std::make_shared<Hold>(this->folder());
   });
 }
 
-std::string RunFolder::grid(int number) const {
+std::string RunFiles::grid(int number) const {
   return file(number == 1 ? "grid.e" : base::format("grid.e-s%03d", number));
 }
 
 void RunFolder::refuse_foreign_files(const std::vector<std::string>& inputs) const {
-  output::refuse_foreign_files(communicator_, folder_, names_, inputs);
+  output::refuse_foreign_files(communicator_, folder(), names_, inputs);
 }
 
 void RunFolder::remove_old_results(base::Log& log) const {
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;
     if (!hold_->lock->note().empty()) log.note(hold_->lock->note());
-    Manifest manifest(folder_);
+    Manifest manifest(folder());
     std::size_t removed = 0;
     for (const std::string& file : manifest.files()) {
       if (!manifest.is_own(file)) continue;
       std::error_code failure;
-      fs::remove(fs::path(folder_) / file, failure);
+      fs::remove(fs::path(folder()) / file, failure);
       if (failure)
-        throw base::InputError("cannot remove an earlier run's '" + file + "' from '" + folder_ +
+        throw base::InputError("cannot remove an earlier run's '" + file + "' from '" + folder() +
                                "': " + failure.message());
       ++removed;
     }
     if (removed > 0)
       log.line(base::format("removed     %zu file%s of an earlier run from %s", removed,
-                            removed == 1 ? "" : "s", folder_.c_str()));
+                            removed == 1 ? "" : "s", folder().c_str()));
     manifest.begin(names_);
   });
 }
@@ -182,25 +185,25 @@ void RunFolder::continue_results(base::Log& log) const {
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;
     if (!hold_->lock->note().empty()) log.note(hold_->lock->note());
-    Manifest(folder_).begin(names_);
+    Manifest(folder()).begin(names_);
   });
 }
 
 void RunFolder::finish(const std::string& file) const {
   base::collectively(communicator_, [&] {
-    if (communicator_.is_root()) Manifest(folder_).finish({file});
+    if (communicator_.is_root()) Manifest(folder()).finish({file});
   });
 }
 
 void RunFolder::finish() const {
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;
-    std::vector<std::string> written = files_of(folder_, names_);
+    std::vector<std::string> written = files_of(folder(), names_);
     const auto is_of_others = [&](const std::string& file) {
       return !is_written_on(communicator_.size(), file);
     };
     written.erase(std::remove_if(written.begin(), written.end(), is_of_others), written.end());
-    Manifest(folder_).end(written);
+    Manifest(folder()).end(written);
   });
 }
 

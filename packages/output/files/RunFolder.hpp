@@ -31,9 +31,29 @@ void refuse_foreign_files(const base::Communicator& communicator, const std::str
                           const std::vector<std::string>& names,
                           const std::vector<std::string>& inputs);
 
-/// A folder that exists, can be written and is locked against other runs, and the paths of what a
-/// run leaves there. Copies share the lock.
-class RunFolder {
+/// The paths of what a run leaves in a folder.
+class RunFiles {
+ public:
+  explicit RunFiles(std::string folder);
+
+  const std::string& folder() const { return folder_; }
+  std::string history() const { return file("history.csv"); }
+  std::string particles() const { return file("particles.e"); }
+  /// Grid files are numbered from 1: grid.e, then, for other elements, grid.e-s002, grid.e-s003:
+  /// the names by which ParaView takes files with different meshes for one sequence.
+  std::string grid(int number = 1) const;
+  std::string checkpoint() const { return file("checkpoint.h5"); }
+  std::string deck() const { return file("deck.xml"); }
+  std::string log() const { return file("log.txt"); }
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+
+ private:
+  std::string folder_;
+};
+
+/// A folder that exists, can be written and is locked against other runs, and what a run does
+/// with it. Copies share the lock.
+class RunFolder : public RunFiles {
  public:
   /// Makes the folder, with its parents, unless it is there already, and locks it. What was made is
   /// removed with the last copy, if nothing was written. Collective.
@@ -62,24 +82,13 @@ class RunFolder {
   /// So are all of them but the log. Collective.
   void finish() const;
 
-  const std::string& folder() const { return folder_; }
   /// When the run took it, which is what it does first.
   std::time_t taken() const { return taken_; }
-  std::string history() const { return file("history.csv"); }
-  std::string particles() const { return file("particles.e"); }
-  /// Grid files are numbered from 1: grid.e, then, for other elements, grid.e-s002, grid.e-s003:
-  /// the names by which ParaView takes files with different meshes for one sequence.
-  std::string grid(int number = 1) const;
-  std::string checkpoint() const { return file("checkpoint.h5"); }
-  std::string deck() const { return file("deck.xml"); }
-  std::string log() const { return file("log.txt"); }
-  std::string file(const std::string& name) const { return folder_ + "/" + name; }
 
  private:
   struct Hold;
 
   base::Communicator communicator_;
-  std::string folder_;
   std::vector<std::string> names_;
   std::time_t taken_ = std::time(nullptr);
   std::shared_ptr<Hold> hold_;  ///< of rank 0

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "commands/VerifyCommand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "run/Checkpoint.hpp"
+#include "run/HistoryFigures.hpp"
+#include "run/MovingSupports.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/HistoryTable.hpp"
+#include "stroma/output/files/RunFolder.hpp"
+
+namespace stroma {
+namespace {
+
+using base::format;
+
+/// What sums of forces over other ranks, and a residual at the tolerance, leave between two answers.
+constexpr double rounding = 1e-9;
+
+/// A line for each thing that was looked at; what is wrong is counted.
+class Findings {
+ public:
+  explicit Findings(base::Log& log) : log_(log) {}
+
+  void tell(const std::string& what, bool is_good, const std::string& found) {
+    log_.line(format("%-12s %-5s %s", what.c_str(), is_good ? "good" : "WRONG", found.c_str()));
+    if (!is_good) ++wrong_;
+  }
+  int wrong() const { return wrong_; }
+
+ private:
+  base::Log& log_;
+  int wrong_ = 0;
+};
+
+/// Whether history.csv holds the rows of the checkpoint, to the last digit. For one rank.
+std::string departure_of_history(const std::string& path, const Deck& deck,
+                                 const std::vector<output::HistoryRow>& rows) {
+  try {
+    const output::HistoryTable table(path);
+    if (table.rows() != rows.size())
+      return format("%zu rows instead of %zu", table.rows(), rows.size());
+    const auto columns =
+        output::history_columns(names(deck.parameters.boundary_conditions.conditions),
+                                names(deck.parameters.materials.materials));
+    if (table.names() != columns) return "other columns than the deck's";
+    for (std::size_t s = 0; s < rows.size(); ++s) {
+      const std::vector<double> values = output::history_values(rows[s]);
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        if (table.column(columns[c])[s] != values[c])
+          return format("%s of step %zu is %.17g instead of %.17g", columns[c].c_str(), s,
+                        table.column(columns[c])[s], values[c]);
+    }
+    return "";
+  } catch (const base::RunError& error) {
+    return error.what();
+  }
+}
+
+/// Whether a set of Exodus files ends where the checkpoint says. For one rank.
+std::string departure_of_files(const std::string& path, const std::vector<output::FileEnd>& ends) {
+  for (std::size_t r = 0; r < ends.size(); ++r) {
+    const std::string file =
+        output::spread_file_name(path, static_cast<int>(ends.size()), static_cast<int>(r));
+    try {
+      const output::FileEnd found = output::end_of(file);
+      if (found.steps != ends[r].steps || found.bytes != ends[r].bytes)
+        return format("%s has %lld steps in %lld bytes instead of %lld in %lld",
+                      std::filesystem::path(file).filename().c_str(),
+                      static_cast<long long>(found.steps), static_cast<long long>(found.bytes),
+                      static_cast<long long>(ends[r].steps), static_cast<long long>(ends[r].bytes));
+    } catch (const base::RunError& error) {
+      return error.what();
+    }
+  }
+  return "";
+}
+
+void verify_files(const base::Communicator& communicator, const output::RunFiles& files,
+                  const Deck& deck, const ResultsSoFar& results, Findings& findings) {
+  const auto tell = [&](const std::string& what, std::string departure, const std::string& found) {
+    communicator.broadcast(departure);
+    findings.tell(what, departure.empty(), departure.empty() ? found : departure);
+  };
+  const FieldFilesEnd& ends = results.files;
+  const auto up_to = [](std::int64_t step) {
+    return format("up to step %lld", static_cast<long long>(step));
+  };
+  tell("history.csv",
+       communicator.is_root() ? departure_of_history(files.history(), deck, results.rows) : "",
+       format("%zu rows, those of the checkpoint", results.rows.size()));
+  if (ends.particles_step >= 0)
+    tell("particles.e",
+         communicator.is_root() ? departure_of_files(files.particles(), ends.particles) : "",
+         up_to(ends.particles_step));
+  if (ends.grid_step >= 0)
+    tell("grid.e",
+         communicator.is_root()
+             ? departure_of_files(files.grid(static_cast<int>(ends.grid_files)), ends.grid)
+             : "",
+         up_to(ends.grid_step));
+}
+
+void verify_balance(const base::Communicator& communicator, const Deck& deck,
+                    mechanics::MovingBody& body, const RunState& state, Findings& findings) {
+  mechanics::MomentumBalance& balance = body.balance();
+  const output::HistoryRow& row = state.results.rows.back();
+  const grid::Vector& u = body.displacement();
+  grid::Vector residual(balance.owned_map());
+  const std::int64_t inverted = balance.residual(u, residual);
+  const double force = std::max(state.newton.largest_force, balance.forces(u).scale);
+  const double relative = force > 0.0 ? residual.norm2() / force : 0.0;
+  const double allowed = std::max({deck.parameters.solver.newton_tolerance, 2.0 * row.residual,
+                                   force > 0.0 ? balance.forces(u).rounding / force : 0.0});
+  findings.tell(
+      "equilibrium", inverted == 0 && relative <= allowed,
+      format("residual %.2e of the forces, %.2e when it was solved", relative, row.residual));
+
+  const auto reactions = balance.reactions(u);
+  double difference = 0.0, largest = 0.0;
+  for (std::size_t c = 0; c < reactions.size(); ++c)
+    for (std::size_t d = 0; d < 3; ++d) {
+      difference = std::max(difference, std::fabs(reactions[c][d] - row.reactions[c][d]));
+      largest = std::max(largest, std::fabs(row.reactions[c][d]));
+    }
+  findings.tell(
+      "reactions", difference <= rounding * std::max(largest, force),
+      format("differ by %.1e of the largest", largest > 0.0 ? difference / largest : 0.0));
+
+  const output::HistoryRow anew = with_figures(row, communicator, balance.body(), u);
+  const double energy = std::fabs(anew.strain_energy - row.strain_energy);
+  findings.tell("energy", energy <= rounding * std::fabs(row.strain_energy),
+                format("%.9g aJ, differs by %.1e of it", anew.strain_energy,
+                       row.strain_energy != 0.0 ? energy / std::fabs(row.strain_energy) : 0.0));
+}
+
+}  // namespace
+
+void verify_command(const base::Communicator& communicator, const std::string& folder,
+                    base::Log& log) {
+  const output::RunFiles files(folder);
+  std::optional<Deck> deck;
+  base::collectively(communicator, [&] {
+    if (!std::filesystem::is_regular_file(files.deck()))
+      throw base::InputError("'" + folder + "' is no folder of results: it has no deck.xml");
+    deck = read_deck(files.deck(), {});
+  });
+  const Checkpoint checkpoint(communicator, files.checkpoint(), *deck);
+  const RunState& state = checkpoint.state();
+  log.line(format("%s: step %d, load %.6g", folder.c_str(), state.load.accepted, state.load.load));
+
+  std::optional<SpecimenImage> image = read_image(communicator, *deck);
+  const Specimen specimen = make_specimen(communicator, *deck, *image);
+  image.reset();
+  Findings findings(log);
+  const std::vector<KnownFile> images = known_files(communicator, specimen.files);
+  const bool are_the_same = checkpoint.has_images(images);
+  findings.tell("images", are_the_same,
+                format("%zu file%s, SHA-256 %s", images.size(), images.size() == 1 ? "" : "s",
+                       are_the_same ? "as in the run" : "not as in the run"));
+  verify_files(communicator, files, *deck, state.results, findings);
+  if (are_the_same) {
+    const auto body = checkpoint.body(specimen, problem_of(*deck, specimen));
+    verify_balance(communicator, *deck, *body, state, findings);
+  }
+  if (findings.wrong() > 0)
+    throw base::RunError(format("%d of what was looked at in '%s' %s not as the run left it",
+                                findings.wrong(), folder.c_str(),
+                                findings.wrong() == 1 ? "is" : "are"));
+  log.line("all is as the run left it");
+}
+
+}  // namespace stroma
