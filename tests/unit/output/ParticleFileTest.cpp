@@ -381,6 +381,7 @@ TEST(ParticleFile, ADiskThatFillsUpIsARunErrorOnEveryRank) {
   EXPECT_EQ(ExodusReader(path).time(2), 0.2);
 }
 
+// V-RESTART-5.
 TEST(ParticleFile, AStepBecomesVisibleOnlyWhenItIsWhole) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// A run that goes on from a checkpoint comes to where an undisturbed one comes, on any number of
+/// ranks; its files are continued.
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "regression/restart/LongDeck.hpp"
+#include "support/ExodusReader.hpp"
+#include "support/SmallDeck.hpp"
+
+namespace stroma::test {
+namespace {
+
+const char* const bare = "";
+const char* const reset = ", Reset: true, Shape Functions: GIMP";
+const char* const splines = ", Reset: true, Shape Functions: Quadratic B-Spline";
+
+class Restart : public ::testing::TestWithParam<std::tuple<const char*, int, int>> {};
+
+// V-RESTART-1.
+TEST_P(Restart, ComesToWhereAnUndisturbedRunComes) {
+  const auto [grid, before, after] = GetParam();
+  const TemporaryFolder folder;
+  const History whole = run_deck(folder, "whole", long_deck(grid, 4), before);
+  run_deck(folder, "part", long_deck(grid, 2), before);
+  folder.write("part.yaml", long_deck(grid, 4));
+  const Outcome outcome =
+      run_stroma(folder.path(), "run part.yaml -o part --quiet --restart", after);
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+  const History both(folder / "part/history.csv");
+  EXPECT_EQ(both.rows(), 5U);
+  EXPECT_LT(difference(whole, both), 1e-10);
+  if (before == after && grid == bare) EXPECT_EQ(difference(whole, both), 0.0);
+
+  const std::string log = content_of(folder / "part/log.txt");
+  EXPECT_NE(log.find("results in part"), log.rfind("results in part"))
+      << "the log is not continued";
+  EXPECT_NE(log.find("goes on    after step 2"), std::string::npos) << log;
+  const std::string file =
+      "part/particles.e" + (after == 1 ? "" : "." + std::to_string(after) + ".0");
+  const ExodusReader reader(folder / file);
+  if (before == after) {
+    ASSERT_EQ(reader.steps(), 5);
+    for (int step = 1; step <= 5; ++step) EXPECT_EQ(reader.time(step), step - 1.0);
+  } else {  // those of other ranks begin with what was gone on from
+    ASSERT_EQ(reader.steps(), 3);
+    EXPECT_EQ(reader.time(1), 2.0);
+    EXPECT_EQ(reader.time(3), 4.0);
+  }
+  const Outcome verdict = run_stroma(folder.path(), "verify part");
+  EXPECT_EQ(verdict.status, 0) << verdict.standard_output << verdict.standard_error;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Restart,
+                         ::testing::Values(std::tuple{bare, 1, 1}, std::tuple{bare, 2, 2},
+                                           std::tuple{bare, 2, 1}, std::tuple{reset, 1, 1},
+                                           std::tuple{reset, 2, 3}, std::tuple{splines, 1, 2}));
+
+TEST(Restart, CutsOffWhatCameBehindTheCheckpoint) {
+  const TemporaryFolder folder;
+  run_deck(folder, "gel", long_deck(bare, 2));
+  const std::string checkpoint = content_of(folder / "gel/checkpoint.h5");
+  folder.write("gel.yaml", long_deck(bare, 4));
+  EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml --quiet --restart").status, 0);
+  const History whole(folder / "gel/history.csv");
+  folder.write("gel/checkpoint.h5", checkpoint);  // as if the run had been killed in its last step
+  std::ofstream(folder / "gel/history.csv", std::ios::app) << "5,0.9,3.6,2,1";
+  const Outcome again = run_stroma(folder.path(), "run gel.yaml --quiet --restart");
+  EXPECT_EQ(again.status, 0) << again.standard_error;
+  EXPECT_EQ(difference(whole, History(folder / "gel/history.csv")), 0.0);
+  const ExodusReader reader(folder / "gel/particles.e");
+  ASSERT_EQ(reader.steps(), 5);
+  EXPECT_EQ(reader.time(5), 4.0);
+}
+
+TEST(Restart, AFinishedRunHasNothingLeftToDo) {
+  const TemporaryFolder folder;
+  const History before = run_deck(folder, "gel", long_deck(bare, 2));
+  const Outcome again = run_stroma(folder.path(), "run gel.yaml --quiet --restart");
+  EXPECT_EQ(again.status, 0) << again.standard_error;
+  EXPECT_EQ(difference(before, History(folder / "gel/history.csv")), 0.0);
+  EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml --quiet").status, 0) << "its files are its own";
+}
+
+// V-RESTART-2.
+TEST(Restart, ATimeLimitLeavesACheckpoint) {
+  const TemporaryFolder folder;
+  folder.write("gel.yaml", small_deck());
+  const std::string steps = " --set 'Loading|Steps=20000' ";
+  const Outcome outcome =
+      run_stroma(folder.path(), "run gel.yaml --quiet --time-limit 00:00:03" + steps);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.standard_error.find("stopped by --time-limit; on disk in gel: history.csv"),
+            std::string::npos)
+      << outcome.standard_error;
+  EXPECT_NE(outcome.standard_error.find(
+                "to go on: stroma run gel.yaml -o gel --set 'Loading|Steps=20000' --restart"),
+            std::string::npos)
+      << outcome.standard_error;
+  const std::size_t rows = History(folder / "gel/history.csv").rows();
+  EXPECT_GT(rows, 1U);
+  EXPECT_EQ(run_stroma(folder.path(), "verify gel").status, 0);
+  EXPECT_EQ(
+      run_stroma(folder.path(), "run gel.yaml --quiet --restart --set 'Loading|Steps=2'").status,
+      0);
+  EXPECT_GE(History(folder / "gel/history.csv").rows(), rows + 1);
+  EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml --time-limit 3").status, 2);
+}
+
+// SIGUSR1, by which batch systems warn.
+TEST(Restart, AWarningSignalLeavesACheckpoint) {
+  const TemporaryFolder folder;
+  folder.write("gel.yaml", small_deck());
+  const Outcome outcome = run_script(folder, R"(set -m
+"$stroma" run gel.yaml -o out --quiet --set 'Loading|Steps=5000' 2>errors &
+run=$!
+for ((n = 0; n < 600; ++n)); do
+  [[ -f out/history.csv && $(wc -l <out/history.csv) -ge 4 ]] && break
+  sleep 0.1
+done
+kill -USR1 $run
+wait $run
+echo status $?
+"$stroma" verify out >verdict
+echo status $?
+)");
+  EXPECT_EQ(outcome.standard_output, "status 1\nstatus 0\n")
+      << content_of(folder / "errors") << content_of(folder / "verdict");
+  EXPECT_NE(content_of(folder / "errors").find("stopped by SIGUSR1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stroma::test
