@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "run/Checkpoints.hpp"
 #include "run/Results.hpp"
@@ -11,6 +12,7 @@
 #include "run/Specimen.hpp"
 #include "run/StopRequest.hpp"
 #include "stroma/base/Error.hpp"
+#include "stroma/base/Memory.hpp"
 #include "stroma/solver/LoadStep.hpp"
 #include "stroma/solver/StepControl.hpp"
 #include "stroma/solver/TrialSolve.hpp"
@@ -172,6 +174,12 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     } catch (const base::RunError&) {
     }
     throw base::RunError(std::string(error.what()) + "\n" + end_of());
+  } catch (const base::InputError&) {
+    throw;
+  } catch (const std::exception& error) {  // perhaps of this rank alone, for want of memory
+    throw std::runtime_error(
+        (base::is_out_of_memory(error) ? base::out_of_memory : std::string(error.what())) + "\n" +
+        end_of());
   }
 }
 

@@ -100,8 +100,28 @@ bool put_text(hid_t dataset, const char* name, const std::string& text) {
   return attribute >= 0 && H5Awrite(attribute, type, text.c_str()) >= 0;
 }
 
+/// This rank's box in pieces along the first axis, which end where chunks do: HDF5 keeps a copy of all
+/// that is written at a time.
+std::vector<Slab> pieces_of(const StateArray& array, hsize_t rows_of_chunk, std::uint64_t bytes) {
+  if (array.mine.size() == 0) return {};
+  const std::uint64_t row = array.mine.size() / array.mine.count[0] * bytes_of(array.type);
+  const std::uint64_t rows =
+      std::max<std::uint64_t>(bytes / row / rows_of_chunk, 1) * rows_of_chunk;
+  std::vector<Slab> pieces;
+  const std::uint64_t end = array.mine.begin[0] + array.mine.count[0];
+  for (std::uint64_t begin = array.mine.begin[0]; begin < end;) {
+    Slab piece = array.mine;
+    piece.begin[0] = begin;
+    piece.count[0] = std::min((begin / rows + 1) * rows, end) - begin;
+    begin += piece.count[0];
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
 /// Writes one array; all ranks come here whatever went wrong on one of them. \return  success
-bool put(hid_t file, const StateArray& array) {
+bool put(const base::Communicator& communicator, hid_t file, const StateArray& array,
+         std::uint64_t piece_bytes) {
   const std::vector<hsize_t> shape(array.shape.begin(), array.shape.end()),
       chunk = chunk_of(array.shape);
   const int axes = static_cast<int>(shape.size());
@@ -115,17 +135,24 @@ bool put(hid_t file, const StateArray& array) {
   Id dataset(
       H5Dcreate2(file, array.name.c_str(), in_file(array.type), space, links, how, H5P_DEFAULT),
       H5Dclose);
-  const hsize_t count = array.mine.size();
-  const Id memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  if (count == 0) H5Sselect_none(memory);
-  select(space, array.mine);
   const Id together(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE);
-  const double nothing = 0.0;
-  const bool is_written = H5Dwrite(dataset, in_memory(array.type), memory, space, together,
-                                   count == 0 ? &nothing : array.values) >= 0;
-  const bool is_told = put_text(dataset, "about", array.about);
-  return dataset.close() && is_written && is_told;
+  const std::vector<Slab> pieces = pieces_of(array, chunk[0], piece_bytes);
+  const auto* values = static_cast<const char*>(array.values);
+  bool is_good = put_text(dataset, "about", array.about);
+  for (std::size_t n = 0; n < communicator.max(pieces.size()); ++n) {
+    const Slab piece = n < pieces.size() ? pieces[n] : Slab{array.mine.begin, {0}};
+    const hsize_t count = piece.size();
+    const Id memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    if (count == 0) H5Sselect_none(memory);
+    select(space, piece);
+    const double nothing = 0.0;
+    const void* from = count == 0 ? static_cast<const void*>(&nothing) : values;
+    is_good =
+        H5Dwrite(dataset, in_memory(array.type), memory, space, together, from) >= 0 && is_good;
+    values += count * bytes_of(array.type);
+  }
+  return dataset.close() && is_good;
 }
 
 /// Makes sure, on one rank, that the disk takes a file of this size: what fails here fails cleanly,
@@ -158,14 +185,14 @@ void sync(const std::string& path) {
 
 /// \return  whether all that this rank has to do with the file succeeded
 bool write_together(const base::Communicator& communicator, const std::string& path,
-                    const std::vector<StateArray>& arrays) {
+                    const std::vector<StateArray>& arrays, std::uint64_t piece) {
   const Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
   H5Pset_fapl_mpio(access, communicator.raw(), MPI_INFO_NULL);
   Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   if (communicator.any(file < 0)) return false;
   bool is_good = true;
-  for (const StateArray& array : arrays) is_good = put(file, array) && is_good;
+  for (const StateArray& array : arrays) is_good = put(communicator, file, array, piece) && is_good;
   return file.close() && is_good;
 }
 
@@ -176,7 +203,7 @@ std::uint64_t Slab::size() const { return product(count); }
 std::string draft_of_state(const std::string& path) { return path + ".new"; }
 
 void write_state(const base::Communicator& communicator, const std::string& path,
-                 const std::vector<StateArray>& arrays) {
+                 const std::vector<StateArray>& arrays, std::uint64_t piece) {
   const std::string draft = draft_of_state(path);
   std::uint64_t bytes = 1u << 16;
   for (const StateArray& array : arrays)
@@ -185,7 +212,7 @@ void write_state(const base::Communicator& communicator, const std::string& path
     if (communicator.is_root()) require_room(draft, bytes);
   });
   const Quiet quiet;
-  const bool is_good = write_together(communicator, draft, arrays);
+  const bool is_good = write_together(communicator, draft, arrays, piece);
   base::collectively(communicator, [&] {
     if (!is_good)
       throw base::RunError("cannot write '" + draft + "': HDF5 could not write all of it");

@@ -40,9 +40,11 @@ struct StateArray {
 /// \param communicator  of the ranks
 /// \param path          of the file
 /// \param arrays        the same names, types and shapes on all ranks
+/// \param piece         bytes that a rank writes at a time, and of which HDF5 keeps a copy; or a chunk
 /// \throws base::RunError on all ranks, with the reason; the file of before is still there
 void write_state(const base::Communicator& communicator, const std::string& path,
-                 const std::vector<StateArray>& arrays);
+                 const std::vector<StateArray>& arrays,
+                 std::uint64_t piece = std::uint64_t{1} << 26);
 
 /// The temporary name.
 std::string draft_of_state(const std::string& path);

@@ -55,8 +55,8 @@ struct Sample {
 TEST(StateFile, IsReadInAnyPieces) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
-  const Sample sample(60000);  // more than a chunk
-  output::write_state(world, folder / "state.h5", sample.arrays);
+  const Sample sample(300000);  // several chunks, in several pieces
+  output::write_state(world, folder / "state.h5", sample.arrays, 1000000);
   const output::StateReader reader(folder / "state.h5");
   EXPECT_FALSE(reader.has("group/other"));
   EXPECT_FALSE(reader.has("other/values"));
