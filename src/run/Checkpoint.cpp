@@ -114,11 +114,21 @@ class Arrays {
   std::list<std::any> keep_;  // views
 };
 
-/// The load factors of the curves by which a deck drives its body, and whose they are.
+/// Whether a condition holds its face where it is, at any load.
+bool is_still(const mechanics::BoundaryCondition& condition) {
+  const auto is_zero = [](const auto& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double x) { return x == 0.0; });
+  };
+  return is_zero(condition.displacement.value_or(std::array<double, 3>{})) &&
+         is_zero(condition.displacement_gradient.value_or(std::array<double, 9>{})) &&
+         condition.strain.value_or(0.0) == 0.0 && condition.rotation.value_or(0.0) == 0.0;
+}
+
+/// The curves by which a deck drives its body, and whose they are.
 std::vector<std::pair<std::string, mechanics::LoadCurve>> curves_of(const DeckParameters& p) {
   std::vector<std::pair<std::string, mechanics::LoadCurve>> curves;
   for (const auto& [name, condition] : p.boundary_conditions.conditions)
-    curves.emplace_back("Boundary Conditions|" + name, condition.curve);
+    if (!is_still(condition)) curves.emplace_back("Boundary Conditions|" + name, condition.curve);
   for (const auto& [name, force] : p.external_forces.forces)
     curves.emplace_back("External Forces|" + name, force.curve);
   for (const auto& [name, material] : p.materials.materials) {
@@ -188,7 +198,7 @@ void add_history(Arrays& arrays, const Deck& deck, const ResultsSoFar& results) 
   const std::vector<double> curves = values_of_curves(deck.parameters, results.rows);
   if (!curves.empty())
     arrays.shared("history/load_curves",
-                  "(step, condition, then force, then drive of a material) [-]", curves,
+                  "(step, condition that moves, then force, then drive of a material) [-]", curves,
                   {count, curves.size() / count});
   const FieldFilesEnd& files = results.files;
   arrays.shared("files/last", "step of particles.e, step of grid.e, number of grid files",

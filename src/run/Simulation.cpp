@@ -84,9 +84,9 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   StopRequest stop(communicator, options.time_limit);
   const output::RunFolder folder(communicator, options.folder,
                                  output::run_files(deck.parameters.output.pictures));
-  folder.refuse_foreign_files(input_files(deck));
   std::optional<Checkpoint> before;
   if (options.is_restart) before.emplace(communicator, folder.checkpoint(), deck);
+  folder.refuse_foreign_files(input_files(deck), options.is_restart);
   solver::try_lists(communicator, deck.parameters.solver);
 
   // Image stack -> labels -> particles on a grid.

@@ -71,16 +71,17 @@ def history(path):
 
 
 def difference(one, other, left_out):
-    """The largest difference of two histories, of the largest value of each column."""
+    """The largest difference of two histories, of the largest value of each column, or of the largest force."""
     names, rows = history(one)
     others, other_rows = history(other)
     if names != others or len(rows) != len(other_rows):
         return float("inf")
     worst = 0.0
+    force = max(abs(row[column]) for row in rows for column, name in enumerate(names) if ".reaction_" in name)
     for column, name in enumerate(names):
         if name in left_out:
             continue
-        scale = max(abs(row[column]) for row in rows) or 1.0
+        scale = force if ".reaction_" in name else max(abs(row[column]) for row in rows) or 1.0
         worst = max([worst] + [abs(a[column] - b[column]) / scale for a, b in zip(rows, other_rows)])
     return worst
 

@@ -155,8 +155,12 @@ std::string RunFiles::grid(int number) const {
   return file(number == 1 ? "grid.e" : base::format("grid.e-s%03d", number));
 }
 
-void RunFolder::refuse_foreign_files(const std::vector<std::string>& inputs) const {
-  output::refuse_foreign_files(communicator_, folder(), names_, inputs);
+void RunFolder::refuse_foreign_files(const std::vector<std::string>& inputs,
+                                     bool is_continued) const {
+  std::vector<std::string> names = names_;
+  if (is_continued)
+    names.erase(std::remove(names.begin(), names.end(), "checkpoint.h5"), names.end());
+  output::refuse_foreign_files(communicator_, folder(), names, inputs);
 }
 
 void RunFolder::remove_old_results(base::Log& log) const {

@@ -66,7 +66,10 @@ class RunFolder : public RunFiles {
             std::vector<std::string> names);
 
   /// See above.
-  void refuse_foreign_files(const std::vector<std::string>& inputs) const;
+  /// \param inputs       deck and images
+  /// \param is_continued  whether the run goes on from the checkpoint in the folder, wherever that is from
+  void refuse_foreign_files(const std::vector<std::string>& inputs,
+                            bool is_continued = false) const;
 
   /// Removes what an earlier run left, of any number of ranks, so that no stale file passes for a
   /// result of this run; only what a run is known to have left, as it left it. From now on, files

@@ -136,7 +136,7 @@ bool put(const base::Communicator& communicator, hid_t file, const StateArray& a
       H5Dcreate2(file, array.name.c_str(), in_file(array.type), space, links, how, H5P_DEFAULT),
       H5Dclose);
   const Id together(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-  H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE);
+  if (communicator.size() > 1) H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE);
   const std::vector<Slab> pieces = pieces_of(array, chunk[0], piece_bytes);
   const auto* values = static_cast<const char*>(array.values);
   bool is_good = put_text(dataset, "about", array.about);
@@ -188,7 +188,7 @@ bool write_together(const base::Communicator& communicator, const std::string& p
                     const std::vector<StateArray>& arrays, std::uint64_t piece) {
   const Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
-  H5Pset_fapl_mpio(access, communicator.raw(), MPI_INFO_NULL);
+  if (communicator.size() > 1) H5Pset_fapl_mpio(access, communicator.raw(), MPI_INFO_NULL);
   Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   if (communicator.any(file < 0)) return false;
   bool is_good = true;

@@ -5,14 +5,19 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "stroma/base/Error.hpp"
 
 namespace stroma::output {
 
-void write_file(const std::string& path, const std::string& text, WriteMode mode) {
+namespace {
+
+/// \param shown  the name for the message
+void write(const std::string& path, const std::string& text, const char* mode,
+           const std::string& shown) {
   errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), mode == WriteMode::replace ? "w" : "a");
+  std::FILE* file = std::fopen(path.c_str(), mode);
   bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
                  std::fflush(file) == 0;
   int reason = errno;
@@ -21,13 +26,26 @@ void write_file(const std::string& path, const std::string& text, WriteMode mode
     written = false;
     reason = errno;
   }
-  if (!written) throw base::RunError("cannot write '" + path + "': " + std::strerror(reason));
+  if (!written) throw base::RunError("cannot write '" + shown + "': " + std::strerror(reason));
+}
+
+}  // namespace
+
+void write_file(const std::string& path, const std::string& text, WriteMode mode) {
+  write(path, text, mode == WriteMode::replace ? "w" : "a", path);
 }
 
 void replace_file(const std::string& path, const std::string& text) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const auto found = fs::symlink_status(path, ignored);
+  if (fs::exists(found) && !fs::is_regular_file(found)) {  // a device, say, stays what it is
+    write_file(path, text);
+    return;
+  }
   const std::string draft = path + ".new";
   try {
-    write_file(draft, text);
+    write(draft, text, "w", path);
   } catch (const base::RunError&) {
     std::remove(draft.c_str());
     throw;
