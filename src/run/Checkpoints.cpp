@@ -20,14 +20,12 @@ Checkpoints::Checkpoints(const base::Communicator& communicator, std::string pat
       step_(step),
       written_at_(MPI_Wtime()) {}
 
-bool Checkpoints::write_due(const mechanics::MovingBody& body, const RunState& state) {
+bool Checkpoints::is_due(std::int64_t step) const {
   const output::OutputParameters& when = deck_->parameters.output;
   const bool is_late =
       communicator_.any(communicator_.is_root() && when.checkpoint_minutes > 0.0 &&
                         MPI_Wtime() - written_at_ >= 60.0 * when.checkpoint_minutes);
-  if (!is_late && !output::is_due(state.load.accepted, when.checkpoint_every, false)) return false;
-  write(body, state);
-  return true;
+  return is_late || output::is_due(step, when.checkpoint_every, false);
 }
 
 void Checkpoints::write(const mechanics::MovingBody& body, const RunState& state) {

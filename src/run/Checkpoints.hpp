@@ -23,10 +23,10 @@ class Checkpoints {
   Checkpoints(const base::Communicator& communicator, std::string path, const Deck& deck,
               const std::vector<KnownFile>& files, std::int64_t step);
 
-  /// Writes an accepted step, as often as the deck asks. Collective. \return  whether it was due
+  /// Whether the deck asks for one of an accepted step. Collective.
+  bool is_due(std::int64_t step) const;
+  /// Writes a checkpoint of the last accepted step unless it is on disk. Collective.
   /// \throws base::RunError
-  bool write_due(const mechanics::MovingBody& body, const RunState& state);
-  /// Writes it unless it is on disk. Collective. \throws base::RunError
   void write(const mechanics::MovingBody& body, const RunState& state);
 
   /// ", checkpoint.h5 of step 3"; empty if there is none.

@@ -153,7 +153,10 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
       log.require_written();
       if (load.finished()) break;
       // A run that goes on from here has no preconditioner of earlier steps: neither has this one.
-      if (checkpoints.write_due(*body, now())) newton.attach(body->balance());
+      if (checkpoints.is_due(load.accepted())) {
+        checkpoints.write(*body, now());
+        newton.attach(body->balance());
+      }
       stop.learn(say.seconds() - begin, checkpoints.seconds());
       stop.obey(true);
     }

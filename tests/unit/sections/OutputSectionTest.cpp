@@ -23,7 +23,8 @@ TEST(OutputSection, HasTheDefaultsOfTheContract) {
   const output::OutputParameters defaults = read("");
   EXPECT_EQ(defaults.particles_every, 1);
   EXPECT_EQ(defaults.grid_every, 1);
-  EXPECT_EQ(defaults.checkpoint_every, 1);
+  EXPECT_EQ(defaults.checkpoint_every, 0);
+  EXPECT_EQ(defaults.checkpoint_minutes, 10.0);
   EXPECT_EQ(defaults.precision, output::Precision::Double);
   EXPECT_TRUE(defaults.pictures);
   EXPECT_EQ(defaults.origin, output::Origin::Top);
