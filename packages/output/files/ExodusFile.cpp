@@ -25,7 +25,7 @@ std::string reason_of_library() {
   int code = 0;
   ex_get_err(&message, &function, &code);
   std::string reason = (message != nullptr) ? message : "";
-  reason = reason.substr(0, reason.find('\n'));  // further lines are guesses
+  reason.resize(std::min(reason.find('\n'), reason.size()));  // further lines are guesses
   if (reason.rfind("Error: ", 0) == 0) reason.erase(0, 7);
   return reason.empty() ? base::format("Exodus error %d", code) : reason;
 }

@@ -103,9 +103,10 @@ std::size_t longest(const std::vector<std::string>& names) {
 }  // namespace
 
 ParticleFile::ParticleFile(const base::Communicator& communicator, const std::string& path,
-                           const ParticleSet& particles, std::vector<std::string> materials,
-                           std::vector<std::string> global_variables, const Provenance& provenance,
-                           Precision precision, const std::vector<ShownField>& fields,
+                           const ParticleSet& particles, const std::vector<std::string>& materials,
+                           const std::vector<std::string>& global_variables,
+                           const Provenance& provenance, Precision precision,
+                           const std::vector<ShownField>& fields,
                            const std::optional<FileEnd>& continued)
     : communicator_(communicator),
       path_(spread_file_name(path, communicator.size(), communicator.rank())),

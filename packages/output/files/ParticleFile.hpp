@@ -67,8 +67,8 @@ class ParticleFile {
   /// \param continued         where this rank's file, written by an equal one, is to be continued
   /// \throws RunError on all ranks, naming the file and what could not be written
   ParticleFile(const base::Communicator& communicator, const std::string& path,
-               const ParticleSet& particles, std::vector<std::string> materials,
-               std::vector<std::string> global_variables, const Provenance& provenance,
+               const ParticleSet& particles, const std::vector<std::string>& materials,
+               const std::vector<std::string>& global_variables, const Provenance& provenance,
                Precision precision = Precision::Double, const std::vector<ShownField>& fields = {},
                const std::optional<FileEnd>& continued = {});
 

@@ -227,7 +227,7 @@ void write_state(const base::Communicator& communicator, const std::string& path
   });
 }
 
-StateReader::StateReader(std::string path) : path_(std::move(path)), file_(-1) {
+StateReader::StateReader(std::string path) : path_(std::move(path)) {
   std::error_code failure;
   const auto status = std::filesystem::status(path_, failure);
   if (!std::filesystem::exists(status)) refuse("there is no such file");

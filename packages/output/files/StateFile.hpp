@@ -84,7 +84,7 @@ class StateReader {
   [[noreturn]] void refuse(const std::string& problem) const;
 
   std::string path_;
-  std::int64_t file_;
+  std::int64_t file_ = -1;
 };
 
 }  // namespace stroma::output

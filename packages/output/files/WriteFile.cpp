@@ -13,9 +13,9 @@ namespace stroma::output {
 
 namespace {
 
-/// \param shown  the name for the message
-void write(const std::string& path, const std::string& text, const char* mode,
-           const std::string& shown) {
+/// \param name  for the message
+void write(const std::string& name, const std::string& path, const std::string& text,
+           const char* mode) {
   errno = 0;
   std::FILE* file = std::fopen(path.c_str(), mode);
   bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size() &&
@@ -26,13 +26,13 @@ void write(const std::string& path, const std::string& text, const char* mode,
     written = false;
     reason = errno;
   }
-  if (!written) throw base::RunError("cannot write '" + shown + "': " + std::strerror(reason));
+  if (!written) throw base::RunError("cannot write '" + name + "': " + std::strerror(reason));
 }
 
 }  // namespace
 
 void write_file(const std::string& path, const std::string& text, WriteMode mode) {
-  write(path, text, mode == WriteMode::replace ? "w" : "a", path);
+  write(path, path, text, mode == WriteMode::replace ? "w" : "a");
 }
 
 void replace_file(const std::string& path, const std::string& text) {
@@ -45,7 +45,7 @@ void replace_file(const std::string& path, const std::string& text) {
   }
   const std::string draft = path + ".new";
   try {
-    write(draft, text, "w", path);
+    write(path, draft, text, "w");
   } catch (const base::RunError&) {
     std::remove(draft.c_str());
     throw;
