@@ -2,6 +2,7 @@
 
 #include "run/Simulation.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -126,6 +127,8 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     results.finish(body->balance(), body->displacement(), [&] { return say.seconds(); });
   };
   const auto end_of = [&] {
+    if (!std::filesystem::is_directory(folder.folder()))
+      return "the folder " + folder.folder() + " is not there any more, nor what was in it";
     return results.on_disk() + checkpoints.on_disk() + "\n" +
            how_to_go_on(communicator, deck, folder.folder(), !checkpoints.on_disk().empty());
   };

@@ -21,7 +21,9 @@ namespace {
 constexpr std::size_t head_size = 8;
 
 std::string head_of(const std::string& path) {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
+  if (!file) throw base::RunError("cannot read '" + path + "': " + std::strerror(errno));
   std::string head(head_size, '\0');
   if (!file.read(head.data(), head_size))
     throw base::RunError("cannot read '" + path + "': it is no Exodus file");

@@ -44,5 +44,25 @@ TEST(FullDisk, LosesNothing) {
   }
 }
 
+TEST(FullDisk, AFolderThatIsGoneIsTold) {
+  const TemporaryFolder folder;
+  folder.write("gel.yaml", small_deck());
+  const Outcome outcome = run_script(folder, R"(
+"$stroma" run gel.yaml -o out --quiet --set 'Loading|Steps=5000' 2>errors &
+run=$!
+for ((n = 0; n < 600; ++n)); do
+  [[ -f out/history.csv && $(wc -l <out/history.csv) -ge 4 ]] && break
+  sleep 0.1
+done
+mv out elsewhere
+wait $run
+echo status $?
+)");
+  EXPECT_EQ(outcome.standard_output, "status 1\n");
+  const std::string errors = content_of(folder / "errors");
+  EXPECT_NE(errors.find("No such file or directory"), std::string::npos) << errors;
+  EXPECT_NE(errors.find("the folder out is not there any more"), std::string::npos) << errors;
+}
+
 }  // namespace
 }  // namespace stroma::test
