@@ -387,6 +387,7 @@ void Checkpoint::require_images(const std::vector<KnownFile>& files) const {
 
 std::unique_ptr<mechanics::MovingBody> Checkpoint::body(const Specimen& specimen,
                                                         const mechanics::Problem& problem) const {
+  const base::Stage stage("restart");
   mechanics::Motion motion = motion_;
   on_every_rank([&] {
     if (!file_->has("grid/elements")) return;
