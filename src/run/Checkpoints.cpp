@@ -29,7 +29,10 @@ bool Checkpoints::is_due(std::int64_t step) const {
 }
 
 void Checkpoints::write(const mechanics::MovingBody& body, const RunState& state) {
-  if (step_ == state.load.accepted) return;
+  if (step_ != state.load.accepted) write_anew(body, state);
+}
+
+void Checkpoints::write_anew(const mechanics::MovingBody& body, const RunState& state) {
   const double begin = MPI_Wtime();
   write_checkpoint(communicator_, path_, *deck_, *files_, body, state);
   step_ = state.load.accepted;

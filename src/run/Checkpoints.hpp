@@ -29,6 +29,9 @@ class Checkpoints {
   /// \throws base::RunError
   void write(const mechanics::MovingBody& body, const RunState& state);
 
+  /// Writes it whatever is on disk. Collective. \throws base::RunError
+  void write_anew(const mechanics::MovingBody& body, const RunState& state);
+
   /// ", checkpoint.h5 of step 3"; empty if there is none.
   std::string on_disk() const;
   /// The longest time that one took [s].

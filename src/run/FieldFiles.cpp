@@ -57,14 +57,15 @@ void remove_all(const base::Communicator& communicator, const std::string& path,
 std::string FieldFiles::resume(const FieldFilesEnd& end) {
   const int ranks = static_cast<int>(end.particles.size());
   const auto own = static_cast<std::size_t>(communicator_.rank());
-  const bool are_ours = ranks == communicator_.size();
-  std::string missing;
+  const bool are_ours = ranks == communicator_.size(), is_reset = deck_->parameters.grid.reset;
+  adopted_.particles = end.particles;
+  adopted_.grid = end.grid;
+  std::string missing, note;
   if (end.particles_step >= 0) {
     const bool is_good = cut_all(communicator_, folder_.particles(), end.particles);
-    if (is_good && are_ours) {
-      particles_continued_ = end.particles[own];
-      particles_step_ = end.particles_step;
-    }
+    if (is_good && are_ours) particles_continued_ = end.particles[own];
+    if (is_good && !are_ours) adopted_.particles_step = end.particles_step;
+    if (is_good) particles_step_ = end.particles_step;
     if (!is_good) missing = "particles.e";
   }
   if (end.grid_step >= 0) {
@@ -74,21 +75,49 @@ std::string FieldFiles::resume(const FieldFilesEnd& end) {
          ++number)
       remove_all(communicator_, folder_.grid(number), ranks);
     const bool is_good = cut_all(communicator_, folder_.grid(last), end.grid);
-    if (is_good && are_ours) {
-      grid_continued_ = end.grid[own];
-      grid_step_ = end.grid_step;
+    if (is_good && (are_ours || is_reset)) {
+      if (are_ours) grid_continued_ = end.grid[own];
       grid_files_ = last;
+      if (!are_ours)
+        note = base::format(
+            "the grid's files of the steps before are those of %d ranks, those of the steps to "
+            "come of %d",
+            ranks, communicator_.size());
+    } else if (is_good) {
+      adopted_.grid_step = end.grid_step;
     }
+    if (is_good) grid_step_ = end.grid_step;
     if (!is_good) missing += missing.empty() ? "grid.e" : " and grid.e";
   }
-  if (!missing.empty())
-    return missing + " of the steps before cannot be continued; begun anew with the next step";
-  if (!are_ours)
-    return base::format(
-        "particles.e and grid.e of the steps before are those of %d ranks; the steps to come go "
-        "into those of %d",
-        ranks, communicator_.size());
-  return "";
+  if (missing.empty()) return note;
+  return missing + " of the steps before cannot be continued; begun anew with the next step";
+}
+
+bool FieldFiles::adopt(const mechanics::MomentumBalance& balance) {
+  const base::Stage stage("output");
+  const int ranks = static_cast<int>(adopted_.particles.size());
+  if (adopted_.particles_step >= 0) {
+    open_particle_file(balance);
+    particle_file_->copy_steps(folder_.particles(), ranks, adopted_.particles.front().steps,
+                               particle_set());
+  }
+  if (adopted_.grid_step >= 0) {
+    const auto lattice = balance.halo().partition().grid().width == 2
+                             ? std::nullopt
+                             : std::make_optional<mechanics::Lattice>(balance.halo());
+    const grid::Partition& partition = (lattice ? lattice->halo() : balance.halo()).partition();
+    open_grid_file(balance, partition);
+    Kokkos::View<std::uint8_t*, grid::Device> filled;
+    grid_file_->copy_steps(folder_.grid(), ranks, adopted_.grid.front().steps,
+                           grid_part(balance, partition, filled));
+  }
+  return adopted_.particles_step >= 0 || adopted_.grid_step >= 0;
+}
+
+void FieldFiles::remove_adopted() const {
+  const int ranks = static_cast<int>(adopted_.particles.size());
+  if (adopted_.particles_step >= 0) remove_all(communicator_, folder_.particles(), ranks);
+  if (adopted_.grid_step >= 0) remove_all(communicator_, folder_.grid(), ranks);
 }
 
 FieldFilesEnd FieldFiles::end() const {
@@ -172,28 +201,32 @@ output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance
   };
 }
 
+void FieldFiles::open_particle_file(const mechanics::MomentumBalance& balance) {
+  std::vector<output::ShownField> fields;
+  for (const ShownValues& one : shown_fields(communicator_, deck_->parameters.materials.materials,
+                                             *specimen_, balance.body().particles()))
+    fields.push_back(one.field);
+  particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
+                         output::history_columns(conditions_, materials_), provenance_,
+                         deck_->parameters.output.precision, fields,
+                         std::exchange(particles_continued_, std::nullopt));
+}
+
 void FieldFiles::write_particles(const output::HistoryRow& row,
                                  const mechanics::MomentumBalance& balance, const grid::Vector& u) {
   const base::Stage stage("output");
-  if (!particle_file_) {
-    std::vector<output::ShownField> fields;
-    for (const ShownValues& one : shown_fields(communicator_, deck_->parameters.materials.materials,
-                                               *specimen_, balance.body().particles()))
-      fields.push_back(one.field);
-    particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
-                           output::history_columns(conditions_, materials_), provenance_,
-                           deck_->parameters.output.precision, fields,
-                           std::exchange(particles_continued_, std::nullopt));
-  }
+  if (!particle_file_) open_particle_file(balance);
   particle_file_->write(row.time, particle_set(), states(balance, u), output::history_values(row));
   particles_step_ = row.step;
 }
 
-void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
-                                const grid::Partition& partition) {
+/// \param filled  gets what the part refers to
+output::GridPart FieldFiles::grid_part(const mechanics::MomentumBalance& balance,
+                                       const grid::Partition& partition,
+                                       Kokkos::View<std::uint8_t*, grid::Device>& filled) const {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator_.rank());
-  const auto filled = balance.body().filled_elements(partition);
+  filled = balance.body().filled_elements(partition);
   output::GridPart part;
   part.elements = grid.elements;
   part.first_element = elements.begin;
@@ -201,6 +234,13 @@ void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
   part.origin = grid.origin;
   part.spacing = grid.spacing;
   part.active = filled.data();
+  return part;
+}
+
+void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
+                                const grid::Partition& partition) {
+  Kokkos::View<std::uint8_t*, grid::Device> filled;
+  const output::GridPart part = grid_part(balance, partition, filled);
   std::optional<output::FileEnd> continued = std::exchange(grid_continued_, std::nullopt);
   if (deck_->parameters.grid.reset) continued.reset();  // each step has a file of its own
   if (!continued) ++grid_files_;

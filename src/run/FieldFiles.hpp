@@ -36,11 +36,17 @@ class FieldFiles {
   FieldFiles(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
              const output::RunFolder& folder);
 
-  /// Goes on with the files of an earlier run: what comes behind their ends is cut off. Of another
-  /// number of ranks they stay as they are then, and the steps to come go into new ones. Collective.
+  /// Goes on with the files of an earlier run: what comes behind their ends is cut off. Collective.
   /// \return  what a user should know of it, or empty
   /// \throws base::RunError when a file cannot be changed
   std::string resume(const FieldFilesEnd& end);
+  /// Copies what another number of ranks has written into files of this one's, but for grids that
+  /// were reset, whose files stay: each has a mesh of its own. Collective.
+  /// \return  whether there was anything
+  /// \throws base::RunError
+  bool adopt(const mechanics::MomentumBalance& balance);
+  /// Removes what was copied. Collective.
+  void remove_adopted() const;
   /// How far they go now. Collective.
   FieldFilesEnd end() const;
 
@@ -60,8 +66,12 @@ class FieldFiles {
                              const grid::Vector& u) const;
 
  private:
+  void open_particle_file(const mechanics::MomentumBalance& balance);
   void write_particles(const output::HistoryRow& row, const mechanics::MomentumBalance& balance,
                        const grid::Vector& u);
+  output::GridPart grid_part(const mechanics::MomentumBalance& balance,
+                             const grid::Partition& partition,
+                             Kokkos::View<std::uint8_t*, grid::Device>& filled) const;
   void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
   void write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                   const grid::Vector& u);
@@ -75,6 +85,7 @@ class FieldFiles {
   std::optional<output::ParticleFile> particle_file_;
   std::optional<output::GridFile> grid_file_;
   std::optional<output::FileEnd> particles_continued_, grid_continued_;  // of files not opened yet
+  FieldFilesEnd adopted_;  // of another number of ranks
   int grid_files_ = 0;
   std::int64_t particles_step_ = -1, grid_step_ = -1;  ///< last ones written
 };

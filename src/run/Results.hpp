@@ -48,6 +48,11 @@ class Results {
     fields_.write_due(rows_.back(), balance, u);
   }
 
+  /// See FieldFiles::adopt(): for a run that goes on on another number of ranks. Collective.
+  bool adopt(const mechanics::MomentumBalance& balance) { return fields_.adopt(balance); }
+  /// Removes what was copied then, once a checkpoint knows of the copies. Collective.
+  void remove_adopted() const { fields_.remove_adopted(); }
+
   /// What is on disk so far, in a few words.
   std::string on_disk() const;
 

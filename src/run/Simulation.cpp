@@ -134,10 +134,15 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   };
 
   try {
-    if (options.is_restart)
+    if (options.is_restart) {
+      if (results.adopt(body->balance())) {
+        checkpoints.write_anew(*body, now());  // before those go of which the last one tells
+        results.remove_adopted();
+      }
       results.write_missing(body->balance(), body->displacement());
-    else
+    } else {
       results.write({}, body->balance(), body->displacement());
+    }
     while (!load.finished()) {
       const double begin = say.seconds();
       state.newton = newton.memory();  // what an interrupted try learns counts for nothing

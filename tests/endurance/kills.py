@@ -144,7 +144,7 @@ class ClassicFile:
 
 def check_whole(folder, times):
     """Whether what a killed run left can be read, and holds nothing but accepted steps."""
-    for path in glob.glob(f"{folder}/*.e*.2.?") + glob.glob(f"{folder}/*.e"):
+    for path in glob.glob(f"{folder}/*.e") + glob.glob(f"{folder}/*.e[.-]*"):
         if os.path.getsize(path) == 0 or os.path.getmtime(path) == 0:
             continue
         try:

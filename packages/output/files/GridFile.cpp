@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/output/files/SpreadFiles.hpp"
 
 namespace stroma::output {
 namespace {
@@ -178,18 +179,25 @@ class UsedNodes {
   std::int64_t index_ = 0;
 };
 
+/// Where the node of a number of the box lies in the whole grid.
+Index3 place_of(const NodeBox& box, std::int64_t n) {
+  const std::int64_t width = box.end[0] - box.begin[0], height = box.end[1] - box.begin[1];
+  return {box.begin[0] + n % width, box.begin[1] + n / width % height,
+          box.begin[2] + n / (width * height)};
+}
+
+/// Number of a node of the whole grid, from 1.
+std::int64_t id_of(const GridPart& part, const Index3& n) {
+  return 1 + n[0] + (part.elements[0] + 1) * (n[1] + (part.elements[1] + 1) * n[2]);
+}
+
 /// Coordinates and global numbers of the used nodes.
 void put_nodes(const ExodusFile& file, const GridPart& part, const NodeBox& box,
                const std::vector<std::uint8_t>& used, std::int64_t used_count) {
   const char* axes[3] = {"x", "y", "z"};
   file.check(ex_put_coord_names(file.id(), const_cast<char**>(axes)), "the names of the axes");
   if (used_count == 0) return;
-  const std::int64_t width = box.end[0] - box.begin[0];
-  const std::int64_t height = box.end[1] - box.begin[1];
-  const auto place = [&](std::int64_t n) {
-    return Index3{box.begin[0] + n % width, box.begin[1] + n / width % height,
-                  box.begin[2] + n / (width * height)};
-  };
+  const auto place = [&](std::int64_t n) { return place_of(box, n); };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     UsedNodes nodes(used);
     ExodusFile::in_pieces<double>(
@@ -207,11 +215,7 @@ void put_nodes(const ExodusFile& file, const GridPart& part, const NodeBox& box,
   }
   UsedNodes nodes(used);
   ExodusFile::in_pieces<std::int64_t>(
-      used_count,
-      [&](std::int64_t) {
-        const Index3 n = place(nodes.next());
-        return 1 + n[0] + (part.elements[0] + 1) * (n[1] + (part.elements[1] + 1) * n[2]);
-      },
+      used_count, [&](std::int64_t) { return id_of(part, place(nodes.next())); },
       [&](std::int64_t start, std::int64_t size, const std::int64_t* ids) {
         file.check(ex_put_partial_id_map(file.id(), EX_NODE_MAP, start, size, ids),
                    "the node numbers");
@@ -330,6 +334,28 @@ void GridFile::write(double time, const double* displacement, const double* resi
           });
     }
   });
+}
+
+void GridFile::copy_steps(const std::string& path, int ranks, std::int64_t steps,
+                          const GridPart& part) {
+  const NodeBox box = node_box(part);
+  std::vector<std::int64_t> ids;
+  UsedNodes nodes(used_);
+  for (std::int64_t n = 0; n < used_count_; ++n)
+    ids.push_back(id_of(part, place_of(box, nodes.next())));
+  std::optional<SpreadFiles> before;
+  base::collectively(communicator_,
+                     [&] { before.emplace(path, ranks, ExodusStep::At::nodes, ids); });
+  for (std::int64_t s = 1; s <= steps; ++s) {
+    double time = 0.0;
+    base::collectively(communicator_, [&] { time = before->time(s); });
+    add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
+      if (used_count_ == 0) return;
+      for (int variable = 1; variable <= 6; ++variable)
+        step.put_piece(ExodusStep::At::nodes, variable, 1, 1, used_count_,
+                       before->values(s, variable).data());
+    });
+  }
 }
 
 }  // namespace stroma::output

@@ -62,6 +62,15 @@ class GridFile {
   /// \throws RunError on all ranks, naming the file and what could not be written
   void write(double time, const double* displacement, const double* residual);
 
+  /// Adds the steps that another number of ranks wrote, of the same grid, to a file that has none.
+  /// Collective.
+  /// \param path   of those files, without the ending of a spread one
+  /// \param ranks  that wrote them
+  /// \param steps  of each
+  /// \param part   as at construction
+  /// \throws RunError on all ranks, when they cannot be read or this one cannot be written
+  void copy_steps(const std::string& path, int ranks, std::int64_t steps, const GridPart& part);
+
   /// Steps written so far.
   int steps() const { return static_cast<int>(end_.steps); }
   /// Where this rank's file ends.

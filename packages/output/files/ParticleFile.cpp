@@ -10,6 +10,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/output/files/SpreadFiles.hpp"
 
 namespace stroma::output {
 namespace {
@@ -240,6 +241,37 @@ void ParticleFile::write(double time, const ParticleSet& particles, const StateP
       }
     });
   });
+}
+
+void ParticleFile::copy_steps(const std::string& path, int ranks, std::int64_t steps,
+                              const ParticleSet& particles) {
+  std::vector<std::int64_t> ids(particles.id, particles.id + particles.count);
+  for (std::int64_t& id : ids) ++id;
+  std::optional<SpreadFiles> before;
+  base::collectively(communicator_,
+                     [&] { before.emplace(path, ranks, ExodusStep::At::elements, ids); });
+  for (std::int64_t s = 1; s <= steps; ++s) {
+    double time = 0.0;
+    base::collectively(communicator_, [&] { time = before->time(s); });
+    add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
+      step.put_globals(before->globals(s));
+      int at_nodes = 0;
+      for (std::size_t v = 0; v < variables_.size(); ++v) {
+        const std::vector<double> values = before->values(s, static_cast<int>(v) + 1);
+        if (variables_[v].at_nodes && count_ > 0)
+          step.put_piece(ExodusStep::At::nodes, ++at_nodes, 1, 1, count_, values.data());
+        for (std::size_t m = 0; m < materials_; ++m)
+          in_pieces_of_block(particles, m, [&](std::int64_t start, const auto& members) {
+            std::vector<double> piece;
+            for (const std::int64_t p : members)
+              piece.push_back(values[static_cast<std::size_t>(p)]);
+            step.put_piece(ExodusStep::At::elements, static_cast<int>(v) + 1,
+                           static_cast<std::int64_t>(m + 1), start,
+                           static_cast<std::int64_t>(piece.size()), piece.data());
+          });
+      }
+    });
+  }
 }
 
 }  // namespace stroma::output

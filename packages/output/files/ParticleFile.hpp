@@ -81,6 +81,16 @@ class ParticleFile {
   void write(double time, const ParticleSet& particles, const StatePieces& states,
              const std::vector<double>& globals);
 
+  /// Adds the steps that another number of ranks wrote, of the same particles and variables, to a
+  /// file that has none. Collective.
+  /// \param path       of those files, without the ending of a spread one
+  /// \param ranks      that wrote them
+  /// \param steps      of each
+  /// \param particles  as at construction
+  /// \throws RunError on all ranks, when they cannot be read or this one cannot be written
+  void copy_steps(const std::string& path, int ranks, std::int64_t steps,
+                  const ParticleSet& particles);
+
   /// Steps written so far.
   int steps() const { return static_cast<int>(end_.steps); }
   /// Where this rank's file ends.
