@@ -136,7 +136,7 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
     part.global_block_ids.push_back(static_cast<std::int64_t>(m + 1));
   }
 
-  const auto ids = particles.id;
+  const std::int64_t* const ids = particles.id;
   const std::int64_t largest_id =
       particles.count == 0 ? 0 : 1 + *std::max_element(ids, ids + particles.count);
   const FileSize size{communicator_.max(largest_id), particles.count};

@@ -43,7 +43,7 @@ class SpreadFiles {
     std::vector<Entry> entries;
   };
 
-  static std::vector<double> read(const File& file, const std::string& variable, std::int64_t step,
+  static std::vector<double> read(const File& file, const std::string& name, std::int64_t step,
                                   std::size_t count);
 
   ExodusStep::At at_;
