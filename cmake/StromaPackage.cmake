@@ -7,7 +7,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/packages ${PROJECT_BINARY_DIR}/include/st
 # The order of the packages is one-way: a package may use only packages of an earlier level. Both the USES line
 # and every #include are held against it, so that a wrong arrow is an error when the project is configured.
 set(STROMA_PACKAGE_LEVELS
-    "base,tensor" "shape,deck,voxels" "material,image,grid" "particles" "transfer" "tangent" "mechanics,multigrid"
+    "base,tensor" "shape,deck,voxels,hdf" "material,image,grid" "particles" "transfer" "tangent" "mechanics,multigrid"
     "solver,output" "sections" "src")
 
 function(stroma_package_level package result)

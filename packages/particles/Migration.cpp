@@ -11,7 +11,6 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/particles/Exchange.hpp"
-#include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Seeding.hpp"
 
 namespace stroma::particles {
@@ -30,16 +29,6 @@ grid::Index3 element_at(const grid::Grid& grid, const double position[3]) {
     element[d] =
         std::clamp<std::int64_t>(element_along(grid, d, position[d]), 0, grid.elements[d] - 1);
   return element;
-}
-
-/// Numbers of a particle in a field that some rank's particles have; 0 where nobody's have it. A
-/// rank without particles does not know. Collective.
-template <class View>
-std::size_t numbers_anywhere(const base::Communicator& communicator, const Field& field,
-                             const View& view) {
-  const bool has_it = field.presence == Presence::always || view.extent(0) > 0;
-  return static_cast<std::size_t>(
-      communicator.max(has_it ? static_cast<std::int64_t>(numbers_of(view)) : 0));
 }
 
 }  // namespace

@@ -8,9 +8,19 @@
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Partition.hpp"
 #include "stroma/grid/Types.hpp"
-#include "stroma/particles/Particles.hpp"
+#include "stroma/particles/Fields.hpp"
 
 namespace stroma::particles {
+
+/// Numbers of a particle in a field that some rank's particles have; 0 where nobody's have it. A
+/// rank without particles does not know. Collective.
+template <class View>
+std::size_t numbers_anywhere(const base::Communicator& communicator, const Field& field,
+                             const View& view) {
+  const bool has_it = field.presence == Presence::always || view.extent(0) > 0;
+  return static_cast<std::size_t>(
+      communicator.max(has_it ? static_cast<std::int64_t>(numbers_of(view)) : 0));
+}
 
 /// Makes room for all that moves: base displacement and gradient (zero), and home, which numbers
 /// the particles of each rank as they stand now (Exchange.hpp).

@@ -12,11 +12,6 @@ namespace {
 /// Attributes that say something of an image are short; what is longer is none.
 constexpr std::size_t longest_attribute = std::size_t{1} << 20;
 
-herr_t first_entry(unsigned n, const H5E_error2_t* entry, void* text) {
-  if (n == 0 && entry->desc) *static_cast<std::string*>(text) = entry->desc;
-  return 0;
-}
-
 /// A template, since the type of `info` depends on the version of HDF5.
 template <class Info>
 herr_t collect(hid_t, const char* name, const Info* info, void* names) {
@@ -27,15 +22,15 @@ herr_t collect(hid_t, const char* name, const Info* info, void* names) {
 
 /// An open attribute, its type, and the number of its entries.
 struct Attribute {
-  Hdf5Handle attribute, type;
+  hdf::Handle attribute, type;
   std::size_t entries = 0, entry_bytes = 0;
 
   Attribute(hid_t object, const char* name) {
     if (H5Aexists(object, name) <= 0) return;
-    attribute = Hdf5Handle(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+    attribute = hdf::Handle(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
     if (!attribute.good()) return;
-    type = Hdf5Handle(H5Aget_type(attribute.get()), H5Tclose);
-    const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose);
+    type = hdf::Handle(H5Aget_type(attribute.get()), H5Tclose);
+    const hdf::Handle space(H5Aget_space(attribute.get()), H5Sclose);
     const hssize_t count = space.good() ? H5Sget_simple_extent_npoints(space.get()) : 0;
     entry_bytes = type.good() ? H5Tget_size(type.get()) : 0;
     if (count < 1 || entry_bytes < 1 || entry_bytes > longest_attribute) return;
@@ -45,7 +40,7 @@ struct Attribute {
 };
 
 std::vector<std::string> variable_texts(const Attribute& given) {
-  const Hdf5Handle space(H5Aget_space(given.attribute.get()), H5Sclose);
+  const hdf::Handle space(H5Aget_space(given.attribute.get()), H5Sclose);
   std::vector<char*> pointers(given.entries, nullptr);
   std::vector<std::string> texts;
   if (H5Aread(given.attribute.get(), given.type.get(), pointers.data()) < 0) return texts;
@@ -85,20 +80,7 @@ std::string known_filter(H5Z_filter_t filter) {
 
 }  // namespace
 
-Hdf5Messages::Hdf5Messages() {
-  H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-}
-
-Hdf5Messages::~Hdf5Messages() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-
-std::string Hdf5Messages::reason() {
-  std::string text;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_entry, &text);
-  return text.empty() ? "" : " (HDF5: " + text + ")";
-}
-
-Hdf5Handle open_object(hid_t file, const std::string& path) {
+hdf::Handle open_object(hid_t file, const std::string& path) {
   return {H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose};
 }
 

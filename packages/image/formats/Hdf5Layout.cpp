@@ -96,9 +96,9 @@ std::optional<Numbers> choose(const std::vector<std::string>& names, const std::
 
 /// Size and voxel size from the attributes of Imaris.
 void read_imaris_attributes(hid_t file, Hdf5Place& place) {
-  const Hdf5Handle group =
+  const hdf::Handle group =
       open_object(file, place.dataset.substr(0, place.dataset.find_last_of('/')));
-  const Hdf5Handle info = open_object(file, "DataSetInfo/Image");
+  const hdf::Handle info = open_object(file, "DataSetInfo/Image");
   std::array<std::int64_t, 3> size{};
   bool sized = group.good();
   for (std::size_t axis = 0; axis < 3 && sized; ++axis) {
@@ -178,7 +178,7 @@ Hdf5Place find_place(hid_t file, const ImageRequest& request) {
   const std::optional<std::vector<std::string>> names = datasets_of(file);
   if (!names) {
     refuse(request.path,
-           "is a broken HDF5 file: its datasets cannot be listed" + Hdf5Messages::reason());
+           "is a broken HDF5 file: its datasets cannot be listed" + hdf::Messages::reason());
   }
   Hdf5Place place;
   if (choose(*names, imaris_pattern, {0, 2, 1}, request, place)) {

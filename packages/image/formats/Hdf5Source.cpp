@@ -56,19 +56,19 @@ constexpr double least_written = 1e-5;
 class Hdf5Source : public ImageSource {
  public:
   explicit Hdf5Source(const ImageRequest& request) {
-    const Hdf5Messages quiet;
+    const hdf::Messages quiet;
     summary_.path = request.path;
-    file_ = Hdf5Handle(H5Fopen(request.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    file_ = hdf::Handle(H5Fopen(request.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!file_.good())
-      refuse(request.path, "is a broken or truncated HDF5 file" + Hdf5Messages::reason());
+      refuse(request.path, "is a broken or truncated HDF5 file" + hdf::Messages::reason());
     Hdf5Place place = find_place(file_.get(), request);
     summary_.format = place.format;
     summary_.dataset = place.dataset;
     summary_.voxel_size = place.voxel_size;
     summary_.notes = std::move(place.notes);
     summary_.files = std::move(place.files);
-    dataset_ = Hdf5Handle(H5Dopen2(file_.get(), place.dataset.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset_.good()) refuse_dataset("cannot be opened" + Hdf5Messages::reason());
+    dataset_ = hdf::Handle(H5Dopen2(file_.get(), place.dataset.c_str(), H5P_DEFAULT), H5Dclose);
+    if (!dataset_.good()) refuse_dataset("cannot be opened" + hdf::Messages::reason());
     take_type(place.meant_unsigned);
     take_axes(place, request);
     check_storage();
@@ -76,7 +76,7 @@ class Hdf5Source : public ImageSource {
   }
 
   void read(const voxels::Box& box, double* values) override {
-    const Hdf5Messages quiet;
+    const hdf::Messages quiet;
     if (is_direct()) {
       read_as_stored(box, H5T_NATIVE_DOUBLE, values);
     } else {
@@ -100,11 +100,11 @@ class Hdf5Source : public ImageSource {
   }
 
   void take_type(bool meant_unsigned) {
-    Hdf5Handle type(H5Dget_type(dataset_.get()), H5Tclose);
+    hdf::Handle type(H5Dget_type(dataset_.get()), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type.get());
     by_bytes_ = kind == H5T_ENUM || kind == H5T_BITFIELD;  // HDF5 makes no doubles of these
-    if (by_bytes_) native_ = Hdf5Handle(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), H5Tclose);
-    if (kind == H5T_ENUM) type = Hdf5Handle(H5Tget_super(type.get()), H5Tclose);
+    if (by_bytes_) native_ = hdf::Handle(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), H5Tclose);
+    if (kind == H5T_ENUM) type = hdf::Handle(H5Tget_super(type.get()), H5Tclose);
     const auto bytes = static_cast<int>(H5Tget_size(type.get()));
     const bool real = kind == H5T_FLOAT && (bytes == 2 || bytes == 4 || bytes == 8);
     const bool integer =
@@ -128,7 +128,7 @@ class Hdf5Source : public ImageSource {
   }
 
   void take_axes(const Hdf5Place& place, const ImageRequest& request) {
-    const Hdf5Handle space(H5Dget_space(dataset_.get()), H5Sclose);
+    const hdf::Handle space(H5Dget_space(dataset_.get()), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space.get());
     extents_.assign(static_cast<std::size_t>(std::max(rank, 0)), 0);
     H5Sget_simple_extent_dims(space.get(), extents_.data(), nullptr);
@@ -161,7 +161,7 @@ class Hdf5Source : public ImageSource {
   /// Refuses what this HDF5 cannot decompress, values that lie in other files (HDF5 takes zeros for
   /// missing ones), and sizes that the file does not hold; notes what was never written.
   void check_storage() {
-    const Hdf5Handle creation(H5Dget_create_plist(dataset_.get()), H5Pclose);
+    const hdf::Handle creation(H5Dget_create_plist(dataset_.get()), H5Pclose);
     const H5D_layout_t layout = H5Pget_layout(creation.get());
     if (const auto missing = missing_filter(creation.get())) {
       refuse_dataset("is compressed by " + *missing +
@@ -190,10 +190,10 @@ class Hdf5Source : public ImageSource {
   void check_chunks(hid_t creation) {
     std::vector<hsize_t> chunk(extents_.size(), 1);
     hsize_t written = 0;
-    const Hdf5Handle space(H5Dget_space(dataset_.get()), H5Sclose);
+    const hdf::Handle space(H5Dget_space(dataset_.get()), H5Sclose);
     if (H5Pget_chunk(creation, static_cast<int>(chunk.size()), chunk.data()) < 0 ||
         H5Dget_num_chunks(dataset_.get(), space.get(), &written) < 0)
-      refuse_dataset("is broken: its chunks cannot be counted" + Hdf5Messages::reason());
+      refuse_dataset("is broken: its chunks cannot be counted" + hdf::Messages::reason());
     double bytes = summary_.type.bytes, chunks = 1.0, all_bytes = bytes;
     for (std::size_t d = 0; d < chunk.size(); ++d) {
       const auto side = static_cast<double>(std::max<hsize_t>(chunk[d], 1));
@@ -219,7 +219,7 @@ class Hdf5Source : public ImageSource {
 
   void take_voxel_size() {
     static const char* const name = "element_size_um";
-    const Hdf5Handle root = open_object(file_.get(), "/");
+    const hdf::Handle root = open_object(file_.get(), "/");
     for (const hid_t object : {dataset_.get(), root.get()}) {
       if (H5Aexists(object, name) <= 0) continue;
       const std::vector<double> sizes = number_attribute(object, name);
@@ -267,14 +267,14 @@ class Hdf5Source : public ImageSource {
       first[static_cast<std::size_t>(axes_.channel)] = static_cast<hsize_t>(own_channel_);
     if (axes_.time >= 0)
       first[static_cast<std::size_t>(axes_.time)] = static_cast<hsize_t>(own_frame_);
-    const Hdf5Handle in_file(H5Dget_space(dataset_.get()), H5Sclose);
-    const Hdf5Handle in_memory(
+    const hdf::Handle in_file(H5Dget_space(dataset_.get()), H5Sclose);
+    const hdf::Handle in_memory(
         H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
     const bool done =
         H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
                             nullptr) >= 0 &&
         H5Dread(dataset_.get(), type, in_memory.get(), in_file.get(), H5P_DEFAULT, values) >= 0;
-    if (!done) refuse_dataset("cannot be read (broken or truncated)" + Hdf5Messages::reason());
+    if (!done) refuse_dataset("cannot be read (broken or truncated)" + hdf::Messages::reason());
   }
 
   void read_turned(const voxels::Box& box, double* values) const {
@@ -306,7 +306,7 @@ class Hdf5Source : public ImageSource {
     }
   }
 
-  Hdf5Handle file_, dataset_, native_;
+  hdf::Handle file_, dataset_, native_;
   std::vector<hsize_t> extents_;
   Hdf5Axes axes_;
   std::int64_t own_channel_ = 0, own_frame_ = 0;  ///< along the dataset's own axes

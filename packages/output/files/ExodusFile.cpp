@@ -4,6 +4,7 @@
 
 #include <exodusII.h>
 #include <hdf5.h>
+#include <netcdf.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -74,6 +75,7 @@ bool is_for_classic(const FileSize& size) {
 ExodusFile ExodusFile::create(const std::string& path, Precision precision,
                               std::size_t longest_name, const FileSize& size) {
   ex_opts(0);  // so that the library does not print
+  keep_no_variables_in_memory();
   // The library does not tell why it cannot create a file; the operating system does.
   std::FILE* trial = std::fopen(path.c_str(), "ab");
   if (trial == nullptr)
@@ -111,6 +113,8 @@ void ExodusFile::close() {
   const int closed = ex_close(id);
   check(std::min(flushed, closed), "the last data");
 }
+
+void keep_no_variables_in_memory() { nc_set_chunk_cache(std::size_t{1} << 16, 101, 0.75f); }
 
 bool is_of_the_disk(int reason) {
   return reason == ENOSPC || reason == EDQUOT || reason == EFBIG || reason == EIO;

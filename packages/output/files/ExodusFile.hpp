@@ -86,6 +86,10 @@ class ExodusFile {
   std::string path_;
 };
 
+/// From now on netCDF keeps no whole variables of HDF5 files in caches, of up to 16 MB each: more
+/// than a run's matrix.
+void keep_no_variables_in_memory();
+
 /// Whether an errno tells of a disk that does not take what is written.
 bool is_of_the_disk(int reason);
 

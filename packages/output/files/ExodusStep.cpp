@@ -39,10 +39,6 @@ std::int64_t records_of(const std::string& head) {
   return records;
 }
 
-/// netCDF keeps whole variables of HDF5 files in caches otherwise, 16 MB for each: more than a run's
-/// matrix.
-void keep_no_variables_in_memory() { nc_set_chunk_cache(std::size_t{1} << 16, 101, 0.75f); }
-
 std::int64_t steps_of_hdf5(const std::string& path) {
   int id = -1, dimension = -1;
   std::size_t steps = 0;

@@ -254,7 +254,9 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
                    const GridPart& part, const Provenance& provenance, Precision precision,
                    const std::optional<FileEnd>& continued)
     : communicator_(communicator),
-      path_(spread_file_name(path, communicator.size(), communicator.rank())) {
+      path_(spread_file_name(path, communicator.size(), communicator.rank())),
+      part_(part) {
+  part_.active = nullptr;  // the caller's
   const NodeBox box = node_box(part);
   used_.assign(static_cast<std::size_t>(box.size()), 0);
   std::int64_t elements = 0;
@@ -336,19 +338,17 @@ void GridFile::write(double time, const double* displacement, const double* resi
   });
 }
 
-void GridFile::copy_steps(const std::string& path, int ranks, std::int64_t steps,
-                          const GridPart& part) {
-  const NodeBox box = node_box(part);
+void GridFile::copy_steps(const std::string& path, int ranks) {
+  const NodeBox box = node_box(part_);
   std::vector<std::int64_t> ids;
   UsedNodes nodes(used_);
   for (std::int64_t n = 0; n < used_count_; ++n)
-    ids.push_back(id_of(part, place_of(box, nodes.next())));
+    ids.push_back(id_of(part_, place_of(box, nodes.next())));
   std::optional<SpreadFiles> before;
   base::collectively(communicator_,
                      [&] { before.emplace(path, ranks, ExodusStep::At::nodes, ids); });
-  for (std::int64_t s = 1; s <= steps; ++s) {
-    double time = 0.0;
-    base::collectively(communicator_, [&] { time = before->time(s); });
+  for (const double time : before->times()) {
+    const std::int64_t s = end_.steps + 1;
     add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
       if (used_count_ == 0) return;
       for (int variable = 1; variable <= 6; ++variable)

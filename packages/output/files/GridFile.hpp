@@ -66,10 +66,8 @@ class GridFile {
   /// Collective.
   /// \param path   of those files, without the ending of a spread one
   /// \param ranks  that wrote them
-  /// \param steps  of each
-  /// \param part   as at construction
   /// \throws RunError on all ranks, when they cannot be read or this one cannot be written
-  void copy_steps(const std::string& path, int ranks, std::int64_t steps, const GridPart& part);
+  void copy_steps(const std::string& path, int ranks);
 
   /// Steps written so far.
   int steps() const { return static_cast<int>(end_.steps); }
@@ -79,6 +77,7 @@ class GridFile {
  private:
   base::Communicator communicator_;
   std::string path_;                ///< of this rank's own file
+  GridPart part_;                   ///< but for which elements are active
   std::vector<std::uint8_t> used_;  ///< (node of the box) 1: an active element has this corner
   std::int64_t used_count_ = 0;
   FileEnd end_;

@@ -3,10 +3,7 @@
 #include "stroma/output/files/Manifest.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -14,6 +11,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/output/files/WriteFile.hpp"
 
 namespace stroma::output {
 namespace {
@@ -117,13 +115,7 @@ void Manifest::write() const {
   std::string text = std::string(head) + "\n";
   for (const std::string& name : being_written_) text += name + "\tbeing written\n";
   for (const auto& [file, mark] : finished_) text += file + "\t" + mark + "\n";
-  const std::string path = folder_ + "/.stroma_files", draft = path + ".new";
-  errno = 0;
-  std::ofstream stream(draft, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (stream.fail() || std::rename(draft.c_str(), path.c_str()) != 0)
-    throw base::RunError("cannot write '" + path + "': " + std::strerror(errno));
+  replace_file(folder_ + "/.stroma_files", text);
 }
 
 /// Size, and FNV-1a of the first and the last 64 KiB: any program that changes a results file of

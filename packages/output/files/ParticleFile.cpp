@@ -243,16 +243,14 @@ void ParticleFile::write(double time, const ParticleSet& particles, const StateP
   });
 }
 
-void ParticleFile::copy_steps(const std::string& path, int ranks, std::int64_t steps,
-                              const ParticleSet& particles) {
+void ParticleFile::copy_steps(const std::string& path, int ranks, const ParticleSet& particles) {
   std::vector<std::int64_t> ids(particles.id, particles.id + particles.count);
   for (std::int64_t& id : ids) ++id;
   std::optional<SpreadFiles> before;
   base::collectively(communicator_,
                      [&] { before.emplace(path, ranks, ExodusStep::At::elements, ids); });
-  for (std::int64_t s = 1; s <= steps; ++s) {
-    double time = 0.0;
-    base::collectively(communicator_, [&] { time = before->time(s); });
+  for (const double time : before->times()) {
+    const std::int64_t s = end_.steps + 1;
     add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
       step.put_globals(before->globals(s));
       int at_nodes = 0;

@@ -85,11 +85,9 @@ class ParticleFile {
   /// file that has none. Collective.
   /// \param path       of those files, without the ending of a spread one
   /// \param ranks      that wrote them
-  /// \param steps      of each
   /// \param particles  as at construction
   /// \throws RunError on all ranks, when they cannot be read or this one cannot be written
-  void copy_steps(const std::string& path, int ranks, std::int64_t steps,
-                  const ParticleSet& particles);
+  void copy_steps(const std::string& path, int ranks, const ParticleSet& particles);
 
   /// Steps written so far.
   int steps() const { return static_cast<int>(end_.steps); }

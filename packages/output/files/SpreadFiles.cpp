@@ -72,6 +72,9 @@ SpreadFiles::SpreadFiles(const std::string& path, int ranks, ExodusStep::At at,
   }
   if (std::count(is_found.begin(), is_found.end(), false) > 0)
     throw base::RunError("cannot read '" + path + "': it does not hold all of the body");
+  const std::size_t steps = length_of(*files_.front().id, "time_step");
+  for (std::size_t s = 1; s <= steps; ++s)
+    times_.push_back(read(files_.front(), "time_whole", static_cast<std::int64_t>(s), 1).front());
 }
 
 std::vector<double> SpreadFiles::read(const File& file, const std::string& name, std::int64_t step,
@@ -83,10 +86,6 @@ std::vector<double> SpreadFiles::read(const File& file, const std::string& name,
   const std::size_t from[2] = {static_cast<std::size_t>(step - 1), 0}, size[2] = {1, count};
   check(nc_get_vara_double(*file.id, variable, from, size, values.data()), file.path);
   return values;
-}
-
-double SpreadFiles::time(std::int64_t step) const {
-  return read(files_.front(), "time_whole", step, 1).front();
 }
 
 std::vector<double> SpreadFiles::globals(std::int64_t step) const {

@@ -26,8 +26,9 @@ class SpreadFiles {
   SpreadFiles(const std::string& path, int ranks, ExodusStep::At at,
               const std::vector<std::int64_t>& ids);
 
+  /// (step) of all that they hold.
+  const std::vector<double>& times() const { return times_; }
   /// Of a step, from 1.
-  double time(std::int64_t step) const;
   std::vector<double> globals(std::int64_t step) const;
   /// (id) of a variable, counted from 1, at a step.
   std::vector<double> values(std::int64_t step, int variable) const;
@@ -49,6 +50,7 @@ class SpreadFiles {
   ExodusStep::At at_;
   std::size_t wanted_;
   std::vector<File> files_;
+  std::vector<double> times_;
 };
 
 }  // namespace stroma::output

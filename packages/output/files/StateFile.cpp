@@ -3,7 +3,6 @@
 #include "stroma/output/files/StateFile.hpp"
 
 #include <fcntl.h>
-#include <hdf5.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,9 +14,12 @@
 #include <numeric>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/hdf/Handle.hpp"
 
 namespace stroma::output {
 namespace {
+
+using hdf::Handle;
 
 std::uint64_t product(const std::vector<std::uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{1}, std::multiplies<>());
@@ -34,42 +36,6 @@ hid_t in_memory(StateArray::Type type) {
   if (type == StateArray::Type::real) return H5T_NATIVE_DOUBLE;
   return type == StateArray::Type::integer ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT8;
 }
-
-/// An identifier of HDF5, with the function that gives it back.
-class Id {
- public:
-  Id(hid_t id, herr_t (*give_back)(hid_t)) : id_(id), close_(give_back) {}
-  Id(const Id&) = delete;
-  Id& operator=(const Id&) = delete;
-  ~Id() { close(); }
-
-  operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor)
-  bool close() {
-    const hid_t id = id_;
-    id_ = -1;
-    return id < 0 || close_(id) >= 0;
-  }
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-/// While it lives, HDF5 prints no errors.
-class Quiet {
- public:
-  Quiet() {
-    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
- private:
-  H5E_auto2_t print_ = nullptr;
-  void* data_ = nullptr;
-};
 
 /// Pieces of at most 2^17 values, each with its checksum.
 std::vector<hsize_t> chunk_of(const std::vector<std::uint64_t>& shape) {
@@ -93,11 +59,12 @@ void select(hid_t space, const Slab& box) {
 }
 
 /// Writes a text beside a dataset. \return  whether it is there
-bool put_text(hid_t dataset, const char* name, const std::string& text) {
-  const Id type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
-  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
-  const Id attribute(H5Acreate2(dataset, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  return attribute >= 0 && H5Awrite(attribute, type, text.c_str()) >= 0;
+bool put_text(const Handle& dataset, const char* name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+  H5Tset_size(type.get(), std::max<std::size_t>(text.size(), 1));
+  const Handle attribute(
+      H5Acreate2(dataset.get(), name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  return attribute.good() && H5Awrite(attribute.get(), type.get(), text.c_str()) >= 0;
 }
 
 /// This rank's box in pieces along the first axis, which end where chunks do: HDF5 keeps a copy of all
@@ -120,36 +87,37 @@ std::vector<Slab> pieces_of(const StateArray& array, hsize_t rows_of_chunk, std:
 }
 
 /// Writes one array; all ranks come here whatever went wrong on one of them. \return  success
-bool put(const base::Communicator& communicator, hid_t file, const StateArray& array,
+bool put(const base::Communicator& communicator, const Handle& file, const StateArray& array,
          std::uint64_t piece_bytes) {
   const std::vector<hsize_t> shape(array.shape.begin(), array.shape.end()),
       chunk = chunk_of(array.shape);
   const int axes = static_cast<int>(shape.size());
-  const Id space(H5Screate_simple(axes, shape.data(), nullptr), H5Sclose);
-  const Id links(H5Pcreate(H5P_LINK_CREATE), H5Pclose),
+  const Handle space(H5Screate_simple(axes, shape.data(), nullptr), H5Sclose);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose),
       how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links, 1);
-  H5Pset_chunk(how, axes, chunk.data());
-  H5Pset_fletcher32(how);
-  H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);
-  Id dataset(
-      H5Dcreate2(file, array.name.c_str(), in_file(array.type), space, links, how, H5P_DEFAULT),
-      H5Dclose);
-  const Id together(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-  if (communicator.size() > 1) H5Pset_dxpl_mpio(together, H5FD_MPIO_COLLECTIVE);
+  H5Pset_create_intermediate_group(links.get(), 1);
+  H5Pset_chunk(how.get(), axes, chunk.data());
+  H5Pset_fletcher32(how.get());
+  H5Pset_fill_time(how.get(), H5D_FILL_TIME_NEVER);
+  Handle dataset(H5Dcreate2(file.get(), array.name.c_str(), in_file(array.type), space.get(),
+                            links.get(), how.get(), H5P_DEFAULT),
+                 H5Dclose);
+  const Handle together(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  if (communicator.size() > 1) H5Pset_dxpl_mpio(together.get(), H5FD_MPIO_COLLECTIVE);
   const std::vector<Slab> pieces = pieces_of(array, chunk[0], piece_bytes);
   const auto* values = static_cast<const char*>(array.values);
   bool is_good = put_text(dataset, "about", array.about);
   for (std::size_t n = 0; n < communicator.max(pieces.size()); ++n) {
     const Slab piece = n < pieces.size() ? pieces[n] : Slab{array.mine.begin, {0}};
     const hsize_t count = piece.size();
-    const Id memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-    if (count == 0) H5Sselect_none(memory);
-    select(space, piece);
+    const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    if (count == 0) H5Sselect_none(memory.get());
+    select(space.get(), piece);
     const double nothing = 0.0;
     const void* from = count == 0 ? static_cast<const void*>(&nothing) : values;
-    is_good =
-        H5Dwrite(dataset, in_memory(array.type), memory, space, together, from) >= 0 && is_good;
+    is_good = H5Dwrite(dataset.get(), in_memory(array.type), memory.get(), space.get(),
+                       together.get(), from) >= 0 &&
+              is_good;
     values += count * bytes_of(array.type);
   }
   return dataset.close() && is_good;
@@ -186,11 +154,11 @@ void sync(const std::string& path) {
 /// \return  whether all that this rank has to do with the file succeeded
 bool write_together(const base::Communicator& communicator, const std::string& path,
                     const std::vector<StateArray>& arrays, std::uint64_t piece) {
-  const Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
-  if (communicator.size() > 1) H5Pset_fapl_mpio(access, communicator.raw(), MPI_INFO_NULL);
-  Id file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
-  if (communicator.any(file < 0)) return false;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);  // metadata with checksums
+  if (communicator.size() > 1) H5Pset_fapl_mpio(access.get(), communicator.raw(), MPI_INFO_NULL);
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  if (communicator.any(!file.good())) return false;
   bool is_good = true;
   for (const StateArray& array : arrays) is_good = put(communicator, file, array, piece) && is_good;
   return file.close() && is_good;
@@ -211,7 +179,7 @@ void write_state(const base::Communicator& communicator, const std::string& path
   base::collectively(communicator, [&] {
     if (communicator.is_root()) require_room(draft, bytes);
   });
-  const Quiet quiet;
+  const hdf::Messages quiet;
   const bool is_good = write_together(communicator, draft, arrays, piece);
   base::collectively(communicator, [&] {
     if (!is_good)
@@ -232,14 +200,9 @@ StateReader::StateReader(std::string path) : path_(std::move(path)) {
   const auto status = std::filesystem::status(path_, failure);
   if (!std::filesystem::exists(status)) refuse("there is no such file");
   if (!std::filesystem::is_regular_file(status)) refuse("it is no file");
-  const Quiet quiet;
-  file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (file_ < 0) refuse("it is no HDF5 file, or it is damaged");
-}
-
-StateReader::~StateReader() {
-  const Quiet quiet;
-  if (file_ >= 0) H5Fclose(file_);
+  const hdf::Messages quiet;
+  file_ = Handle(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file_.good()) refuse("it is no HDF5 file, or it is damaged");
 }
 
 void StateReader::refuse(const std::string& problem) const {
@@ -247,40 +210,47 @@ void StateReader::refuse(const std::string& problem) const {
 }
 
 bool StateReader::has(const std::string& name) const {
-  const Quiet quiet;
+  const hdf::Messages quiet;
   for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) {
-    if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (H5Lexists(file_.get(), name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
     if (end == std::string::npos) return true;
   }
 }
 
+hdf::Handle StateReader::open(const std::string& name) const {
+  Handle dataset(H5Dopen2(file_.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  if (!dataset.good()) refuse("it has no " + name + ", or it is damaged");
+  return dataset;
+}
+
 std::vector<std::uint64_t> StateReader::shape(const std::string& name) const {
-  const Quiet quiet;
-  const Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (dataset < 0) refuse("it has no " + name + ", or it is damaged");
-  const Id space(H5Dget_space(dataset), H5Sclose);
-  const int axes = H5Sget_simple_extent_ndims(space);
+  const hdf::Messages quiet;
+  const Handle dataset = open(name), space(H5Dget_space(dataset.get()), H5Sclose);
+  const int axes = H5Sget_simple_extent_ndims(space.get());
   if (axes < 1) refuse(name + " is damaged");
   std::vector<hsize_t> shape(static_cast<std::size_t>(axes));
-  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr);
   return {shape.begin(), shape.end()};
 }
 
 void StateReader::read(const std::string& name, const Slab& box, StateArray::Type type,
-                       void* values) const {
+                       const std::function<void*()>& room) const {
   const std::vector<std::uint64_t> all = shape(name);
   if (all.size() != box.begin.size()) refuse(name + " has another number of axes than expected");
   for (std::size_t d = 0; d < all.size(); ++d)
     if (box.begin[d] + box.count[d] > all[d]) refuse(name + " is smaller than expected");
-  const Quiet quiet;
-  const Id dataset(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose);
-  const Id stored(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
-  if (H5Tequal(stored, in_file(type)) <= 0) refuse(name + " is of another type than expected");
+  if (product(all) > (std::uint64_t{1} << 50)) refuse(name + " is damaged");
+  const hdf::Messages quiet;
+  const Handle dataset = open(name), stored(H5Dget_type(dataset.get()), H5Tclose),
+               space(H5Dget_space(dataset.get()), H5Sclose);
+  if (H5Tequal(stored.get(), in_file(type)) <= 0)
+    refuse(name + " is of another type than expected");
+  void* const values = room();
   const hsize_t count = box.size();
-  const Id memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-  select(space, box);
   if (count == 0) return;
-  if (H5Dread(dataset, in_memory(type), memory, space, H5P_DEFAULT, values) < 0)
+  const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  select(space.get(), box);
+  if (H5Dread(dataset.get(), in_memory(type), memory.get(), space.get(), H5P_DEFAULT, values) < 0)
     refuse(name + " is damaged: its checksum is not that of its values");
 }
 
@@ -297,11 +267,11 @@ constexpr StateArray::Type type_of<std::uint8_t> = StateArray::Type::byte;
 
 template <class T>
 std::vector<T> StateReader::get(const std::string& name, const Slab& box) const {
-  const std::vector<std::uint64_t> all = shape(name);
-  if (box.size() > product(all)) refuse(name + " is smaller than expected");
-  if (product(all) > (std::uint64_t{1} << 50)) refuse(name + " is damaged");
-  std::vector<T> values(box.size());
-  read(name, box, type_of<T>, values.data());
+  std::vector<T> values;
+  read(name, box, type_of<T>, [&] {
+    values.resize(box.size());
+    return values.data();
+  });
   return values;
 }
 

@@ -7,11 +7,12 @@
 /// pieces by any number.
 
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
+#include "stroma/hdf/Handle.hpp"
 
 namespace stroma::output {
 
@@ -54,9 +55,6 @@ class StateReader {
  public:
   /// \throws base::InputError when it cannot be read, or is damaged
   explicit StateReader(std::string path);
-  ~StateReader();
-  StateReader(const StateReader&) = delete;
-  StateReader& operator=(const StateReader&) = delete;
 
   const std::string& path() const { return path_; }
   bool has(const std::string& name) const;
@@ -80,11 +78,14 @@ class StateReader {
   }
 
  private:
-  void read(const std::string& name, const Slab& box, StateArray::Type type, void* values) const;
+  hdf::Handle open(const std::string& name) const;
+  /// \param room  makes room for the values, once it is known that there are as many
+  void read(const std::string& name, const Slab& box, StateArray::Type type,
+            const std::function<void*()>& room) const;
   [[noreturn]] void refuse(const std::string& problem) const;
 
   std::string path_;
-  std::int64_t file_ = -1;
+  hdf::Handle file_;
 };
 
 }  // namespace stroma::output
