@@ -6,6 +6,7 @@
 #include <any>
 #include <cmath>
 #include <list>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -16,7 +17,7 @@
 #include "stroma/base/Stage.hpp"
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/particles/ById.hpp"
-#include "stroma/particles/Fields.hpp"
+#include "stroma/particles/Migration.hpp"
 
 namespace stroma {
 namespace {
@@ -26,6 +27,30 @@ using output::StateArray;
 
 constexpr std::int64_t format_version = 1;
 
+/// What a rank owns of an array of nodal values, (z, y, x, component), and the whole of it.
+struct NodeSlab {
+  NodeSlab(const grid::Partition& partition, int rank)
+      : shape{0, 0, 0, 3}, mine{{0, 0, 0, 0}, {0, 0, 0, 3}} {
+    const grid::Box all = partition.grid().all_nodes(), own = partition.owned_nodes(rank);
+    for (int d = 0; d < 3; ++d) {
+      const auto axis = static_cast<std::size_t>(2 - d);
+      shape[axis] = static_cast<std::uint64_t>(all.extent(d));
+      mine.begin[axis] = static_cast<std::uint64_t>(own.begin[d] - all.begin[d]);
+      mine.count[axis] = static_cast<std::uint64_t>(std::max<std::int64_t>(own.extent(d), 0));
+    }
+  }
+
+  std::vector<std::uint64_t> shape;
+  Slab mine;
+};
+
+template <class T>
+constexpr StateArray::Type type_of = StateArray::Type::real;
+template <>
+constexpr StateArray::Type type_of<std::int64_t> = StateArray::Type::integer;
+template <>
+constexpr StateArray::Type type_of<std::uint8_t> = StateArray::Type::byte;
+
 /// The arrays of a checkpoint as they are put together, with what only lives for it.
 class Arrays {
  public:
@@ -34,84 +59,50 @@ class Arrays {
   const std::vector<StateArray>& all() const { return arrays_; }
 
   /// Numbers that all ranks know.
-  void shared(const std::string& name, const std::string& about, std::vector<double> values,
+  template <class T>
+  void shared(const std::string& name, const std::string& about, std::vector<T> values,
               std::vector<std::uint64_t> shape = {}) {
-    const std::vector<double>& kept = reals_.emplace_back(std::move(values));
-    put_shared(name, about, StateArray::Type::real, kept.size(), std::move(shape), kept.data());
+    if (shape.empty()) shape = {values.size()};
+    const auto kept = std::make_shared<const std::vector<T>>(std::move(values));
+    Slab mine{std::vector<std::uint64_t>(shape.size(), 0), shape};
+    if (!communicator_.is_root()) mine.count.assign(shape.size(), 0);
+    arrays_.push_back({name, about, type_of<T>, std::move(shape), std::move(mine), kept->data()});
+    keep_.emplace_back(kept);
   }
-  void shared(const std::string& name, const std::string& about, std::vector<std::int64_t> values,
-              std::vector<std::uint64_t> shape = {}) {
-    const std::vector<std::int64_t>& kept = integers_.emplace_back(std::move(values));
-    put_shared(name, about, StateArray::Type::integer, kept.size(), std::move(shape), kept.data());
-  }
-  void text(const std::string& name, const std::string& about, std::string value) {
-    value += '\n';  // so that it is never empty
-    const std::string& kept = texts_.emplace_back(std::move(value));
-    put_shared(name, about, StateArray::Type::byte, kept.size(), {}, kept.data());
+  void text(const std::string& name, const std::string& about, const std::string& value) {
+    std::vector<std::uint8_t> bytes(value.begin(), value.end());
+    bytes.push_back('\n');  // so that it is never empty
+    shared(name, about, std::move(bytes));
   }
 
   /// A field of this rank's particles.
   template <class View>
   void field(const std::string& name, const std::string& about, const View& view,
              std::size_t numbers) {
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-    using T = typename View::non_const_value_type;
-    static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int64_t>);
-    const auto count = static_cast<std::uint64_t>(host.extent(0));
-    StateArray array;
-    array.name = "particles/" + name;
-    array.about = about;
-    array.type = std::is_same_v<T, double> ? StateArray::Type::real : StateArray::Type::integer;
-    array.shape = {communicator_.sum(count), numbers};
-    array.mine = {{communicator_.sum_before(count), 0}, {count, numbers}};
-    array.values = host.data();
-    arrays_.push_back(std::move(array));
-    keep_.emplace_back(host);
+    const auto count = static_cast<std::uint64_t>(view.extent(0));
+    const Slab mine{{communicator_.sum_before(count), 0}, {count, numbers}};
+    from_device("particles/" + name, about, view, {communicator_.sum(count), numbers}, mine);
   }
-
   /// The nodal values of this rank's nodes.
   void nodes(const std::string& name, const std::string& about, const grid::Vector& u,
              const grid::Partition& partition) {
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), grid::node_view(u));
-    const grid::Box all = partition.grid().all_nodes(),
-                    mine = partition.owned_nodes(communicator_.rank());
-    StateArray array;
-    array.name = "grid/" + name;
-    array.about = about;
-    array.shape = {0, 0, 0, 3};
-    array.mine = {{0, 0, 0, 0}, {0, 0, 0, 3}};
-    for (int d = 0; d < 3; ++d) {
-      const auto axis = static_cast<std::size_t>(2 - d);
-      array.shape[axis] = static_cast<std::uint64_t>(all.extent(d));
-      array.mine.begin[axis] = static_cast<std::uint64_t>(mine.begin[d] - all.begin[d]);
-      array.mine.count[axis] =
-          static_cast<std::uint64_t>(std::max<std::int64_t>(mine.extent(d), 0));
-    }
-    array.values = host.data();
-    arrays_.push_back(std::move(array));
-    keep_.emplace_back(host);
+    const NodeSlab slab(partition, communicator_.rank());
+    from_device("grid/" + name, about, grid::node_view(u), slab.shape, slab.mine);
   }
 
  private:
-  void put_shared(const std::string& name, const std::string& about, StateArray::Type type,
-                  std::size_t size, std::vector<std::uint64_t> shape, const void* values) {
-    StateArray array;
-    array.name = name;
-    array.about = about;
-    array.type = type;
-    array.shape = shape.empty() ? std::vector<std::uint64_t>{size} : std::move(shape);
-    array.mine = {std::vector<std::uint64_t>(array.shape.size(), 0), array.shape};
-    if (!communicator_.is_root()) array.mine.count.assign(array.shape.size(), 0);
-    array.values = values;
-    arrays_.push_back(std::move(array));
+  template <class View>
+  void from_device(const std::string& name, const std::string& about, const View& view,
+                   const std::vector<std::uint64_t>& shape, const Slab& mine) {
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+    arrays_.push_back(
+        {name, about, type_of<typename View::non_const_value_type>, shape, mine, host.data()});
+    keep_.emplace_back(host);
   }
 
   base::Communicator communicator_;
   std::vector<StateArray> arrays_;
-  std::list<std::vector<double>> reals_;
-  std::list<std::vector<std::int64_t>> integers_;
-  std::list<std::string> texts_;
-  std::list<std::any> keep_;  // views
+  std::list<std::any> keep_;  // of what the arrays point to
 };
 
 /// Whether a condition holds its face where it is, at any load.
@@ -174,12 +165,11 @@ void add_particles(Arrays& arrays, const base::Communicator& communicator,
         using T = typename std::decay_t<decltype(view)>::non_const_value_type;
         if constexpr (std::is_same_v<T, double>) {
           if (!is_state(field) || (field.change != particles::Change::none && !moves)) return;
-          const auto numbers = communicator.max(
-              static_cast<std::int64_t>(view.extent(0) > 0 ? particles::numbers_of(view) : 0));
+          const std::size_t numbers = particles::numbers_anywhere(communicator, field, view);
           if (numbers == 0) return;
           has_any = true;
           arrays.field(field.name, std::string("(particle, number) [") + field.unit + "]", view,
-                       static_cast<std::size_t>(numbers));
+                       numbers);
         }
       },
       particles);
@@ -464,18 +454,10 @@ void Checkpoint::restore(particles::Particles<grid::Device>& particles) const {
 void Checkpoint::restore(const std::string& name, grid::Vector& u,
                          const grid::Partition& partition) const {
   on_every_rank([&] {
-    const grid::Box all = partition.grid().all_nodes(),
-                    mine = partition.owned_nodes(communicator_.rank());
-    Slab box{{0, 0, 0, 0}, {0, 0, 0, 3}};
-    std::vector<std::uint64_t> shape{0, 0, 0, 3};
-    for (int d = 0; d < 3; ++d) {
-      const auto axis = static_cast<std::size_t>(2 - d);
-      shape[axis] = static_cast<std::uint64_t>(all.extent(d));
-      box.begin[axis] = static_cast<std::uint64_t>(mine.begin[d] - all.begin[d]);
-      box.count[axis] = static_cast<std::uint64_t>(std::max<std::int64_t>(mine.extent(d), 0));
-    }
-    if (file_->shape(name) != shape) throw base::InputError("its grid is not that of the deck");
-    const std::vector<double> values = file_->get<double>(name, box);
+    const NodeSlab slab(partition, communicator_.rank());
+    if (file_->shape(name) != slab.shape)
+      throw base::InputError("its grid is not that of the deck");
+    const std::vector<double> values = file_->get<double>(name, slab.mine);
     const grid::NodeView nodes = grid::node_view(u);
     const auto host = Kokkos::create_mirror_view(nodes);
     std::copy(values.begin(), values.end(), host.data());

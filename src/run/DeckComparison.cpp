@@ -37,10 +37,10 @@ void compare(const Teuchos::ParameterList& there, const Teuchos::ParameterList& 
 }  // namespace
 
 std::string body_of_deck(const Deck& deck) {
-  Deck of_body = deck;
-  for_each_image_file(of_body.parameters,
+  DeckParameters parameters = deck.parameters;
+  for_each_image_file(parameters,
                       [](const std::string&, std::string& file) { file = "as its checksum says"; });
-  const auto list = deck::filled(deck_section(), of_body.parameters);
+  const auto list = deck::filled(deck_section(), parameters);
   for (const char* free : {"Title", "Loading", "Load Curves", "Solver", "Output"})
     list->remove(free, false);
   std::ostringstream text;

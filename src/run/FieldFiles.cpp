@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <utility>
 
 #include "run/HomeOrder.hpp"
 #include "run/MovingSupports.hpp"
 #include "run/ShownFields.hpp"
 #include "stroma/base/Stage.hpp"
+#include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/mechanics/body/Lattice.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
 
@@ -47,9 +47,12 @@ bool cut_all(const base::Communicator& communicator, const std::string& path,
   return !communicator.any(!is_good);
 }
 
-void remove_all(const base::Communicator& communicator, const std::string& path, int ranks) {
-  for (int r = communicator.rank(); r < ranks; r += communicator.size())
-    std::remove(output::spread_file_name(path, ranks, r).c_str());
+/// On rank 0. \return  whether there was a file
+bool remove_all(const base::Communicator& communicator, const std::string& path, int ranks) {
+  bool was_any = false;
+  for (int r = 0; communicator.is_root() && r < ranks; ++r)
+    was_any = std::remove(output::spread_file_name(path, ranks, r).c_str()) == 0 || was_any;
+  return was_any;
 }
 
 }  // namespace
@@ -70,10 +73,7 @@ std::string FieldFiles::resume(const FieldFilesEnd& end) {
   }
   if (end.grid_step >= 0) {
     const auto last = static_cast<int>(end.grid_files);
-    for (int number = last + 1; std::filesystem::exists(
-             output::spread_file_name(folder_.grid(number), ranks, communicator_.rank() % ranks));
-         ++number)
-      remove_all(communicator_, folder_.grid(number), ranks);
+    for (int next = last + 1; remove_all(communicator_, folder_.grid(next), ranks);) ++next;
     const bool is_good = cut_all(communicator_, folder_.grid(last), end.grid);
     if (is_good && (are_ours || is_reset)) {
       if (are_ours) grid_continued_ = end.grid[own];
@@ -98,18 +98,11 @@ bool FieldFiles::adopt(const mechanics::MomentumBalance& balance) {
   const int ranks = static_cast<int>(adopted_.particles.size());
   if (adopted_.particles_step >= 0) {
     open_particle_file(balance);
-    particle_file_->copy_steps(folder_.particles(), ranks, adopted_.particles.front().steps,
-                               particle_set());
+    particle_file_->copy_steps(folder_.particles(), ranks, particle_set());
   }
   if (adopted_.grid_step >= 0) {
-    const auto lattice = balance.halo().partition().grid().width == 2
-                             ? std::nullopt
-                             : std::make_optional<mechanics::Lattice>(balance.halo());
-    const grid::Partition& partition = (lattice ? lattice->halo() : balance.halo()).partition();
-    open_grid_file(balance, partition);
-    Kokkos::View<std::uint8_t*, grid::Device> filled;
-    grid_file_->copy_steps(folder_.grid(), ranks, adopted_.grid.front().steps,
-                           grid_part(balance, partition, filled));
+    open_grid_file(balance, grid::lattice_under(balance.halo().partition()));
+    grid_file_->copy_steps(folder_.grid(), ranks);
   }
   return adopted_.particles_step >= 0 || adopted_.grid_step >= 0;
 }
@@ -220,13 +213,11 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
   particles_step_ = row.step;
 }
 
-/// \param filled  gets what the part refers to
-output::GridPart FieldFiles::grid_part(const mechanics::MomentumBalance& balance,
-                                       const grid::Partition& partition,
-                                       Kokkos::View<std::uint8_t*, grid::Device>& filled) const {
+void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
+                                const grid::Partition& partition) {
   const grid::Grid& grid = partition.grid();
   const grid::Box elements = partition.elements(communicator_.rank());
-  filled = balance.body().filled_elements(partition);
+  const auto filled = balance.body().filled_elements(partition);
   output::GridPart part;
   part.elements = grid.elements;
   part.first_element = elements.begin;
@@ -234,13 +225,6 @@ output::GridPart FieldFiles::grid_part(const mechanics::MomentumBalance& balance
   part.origin = grid.origin;
   part.spacing = grid.spacing;
   part.active = filled.data();
-  return part;
-}
-
-void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
-                                const grid::Partition& partition) {
-  Kokkos::View<std::uint8_t*, grid::Device> filled;
-  const output::GridPart part = grid_part(balance, partition, filled);
   std::optional<output::FileEnd> continued = std::exchange(grid_continued_, std::nullopt);
   if (deck_->parameters.grid.reset) continued.reset();  // each step has a file of its own
   if (!continued) ++grid_files_;

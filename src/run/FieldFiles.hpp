@@ -69,9 +69,6 @@ class FieldFiles {
   void open_particle_file(const mechanics::MomentumBalance& balance);
   void write_particles(const output::HistoryRow& row, const mechanics::MomentumBalance& balance,
                        const grid::Vector& u);
-  output::GridPart grid_part(const mechanics::MomentumBalance& balance,
-                             const grid::Partition& partition,
-                             Kokkos::View<std::uint8_t*, grid::Device>& filled) const;
   void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
   void write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                   const grid::Vector& u);

@@ -27,14 +27,87 @@ class StepFailed : public base::RunError {
   using base::RunError::RunError;
 };
 
+output::HistoryRow row_of(const solver::StepControl& load, double time,
+                          const solver::NewtonResult& solved, double seconds) {
+  output::HistoryRow row;
+  row.step = load.accepted();
+  row.load = load.load();
+  row.time = time;
+  row.newton_iterations = solved.iterations;
+  row.linear_iterations = solved.linear_iterations;
+  row.residual = solved.residual;
+  row.wall_seconds = seconds;
+  return row;
+}
+
+/// A run whose body is there. Member functions are collective.
+struct Run {
+  const base::Communicator& communicator;
+  const Deck& deck;
+  const std::string folder;
+  base::Log& log;
+  RunLog& say;
+  StopRequest& stop;
+  mechanics::MovingBody& body;
+  solver::NewtonSolver& newton;
+  solver::StepControl& load;
+  Results& results;
+  Checkpoints& checkpoints;
+  solver::NewtonMemory learnt =
+      {};  ///< in whole tries: what an interrupted one learns does not count
+
+  void begin(bool is_restart);
+  void take_steps();
+  void conclude();
+  std::optional<solver::NewtonResult> try_step(std::optional<grid::Vector>& trial);
+  RunState state() const { return {load.progress(), learnt, results.so_far()}; }
+  std::string how_it_stands() const;
+};
+
+void Run::begin(bool is_restart) {
+  if (!is_restart) {
+    results.write({}, body.balance(), body.displacement());
+    return;
+  }
+  if (results.adopt(body.balance())) {
+    checkpoints.write_anew(body, state());  // before those go of which the last one tells
+    results.remove_adopted();
+  }
+  results.write_missing(body.balance(), body.displacement());
+}
+
+void Run::take_steps() {
+  while (!load.finished()) {
+    const double begin = say.seconds();
+    learnt = newton.memory();
+    std::optional<grid::Vector> trial;
+    const std::optional<solver::NewtonResult> solved = try_step(trial);
+    if (!solved) continue;
+
+    // The step has converged: only now does anything change.
+    body.accept(load.next(), *trial);
+    load.accept();
+    learnt = newton.memory();
+    const double time = load.load() * deck.parameters.loading.seconds();
+    results.write(row_of(load, time, *solved, say.seconds()), body.balance(), *trial);
+    say.accepted(load, *solved);
+    log.require_written();
+    if (load.finished()) break;
+    if (checkpoints.is_due(load.accepted())) {
+      checkpoints.write(body, state());
+      newton.attach(
+          body.balance());  // a run that goes on from here has no preconditioner of before
+    }
+    stop.learn(say.seconds() - begin, checkpoints.seconds());
+    stop.obey(true);
+  }
+  say.stabilization(body);
+}
+
 /// Solves the step to load.next(), or halves it.
 /// \return nothing when it was halved
 /// \throws StepFailed when Loading|Smallest Step forbids it, or the step cannot be begun
-std::optional<solver::NewtonResult> try_step(mechanics::MovingBody& body,
-                                             solver::NewtonSolver& newton,
-                                             solver::StepControl& load,
-                                             std::optional<grid::Vector>& trial, const Deck& deck,
-                                             const std::string& folder, RunLog& say) {
+std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& trial) {
   try {
     const mechanics::PiecesSummary before = body.balance().supports().pieces();
     solver::begin_step(body, newton);
@@ -53,28 +126,23 @@ std::optional<solver::NewtonResult> try_step(mechanics::MovingBody& body,
   }
 }
 
-/// The command by which a run goes on from its checkpoint, or begins anew if it has none.
-std::string how_to_go_on(const base::Communicator& communicator, const Deck& deck,
-                         const std::string& folder, bool has_checkpoint) {
-  const std::string ranks =
-      communicator.size() == 1 ? "" : base::format("mpirun -np %d ", communicator.size());
-  std::string command = ranks + "stroma run " + deck.document.path() + " -o " + folder;
-  for (const std::string& one : deck.overrides) command += " --set '" + one + "'";
-  return has_checkpoint ? "to go on: " + command + " --restart"
-                        : "there is no checkpoint yet; to begin anew: " + command;
+void Run::conclude() {
+  results.write_last(body.balance(), body.displacement());
+  checkpoints.write(body, state());
+  results.finish(body.balance(), body.displacement(), [&] { return say.seconds(); });
 }
 
-output::HistoryRow row_of(const solver::StepControl& load, double time,
-                          const solver::NewtonResult& solved, double seconds) {
-  output::HistoryRow row;
-  row.step = load.accepted();
-  row.load = load.load();
-  row.time = time;
-  row.newton_iterations = solved.iterations;
-  row.linear_iterations = solved.linear_iterations;
-  row.residual = solved.residual;
-  row.wall_seconds = seconds;
-  return row;
+/// What is on disk, and the command by which the run goes on.
+std::string Run::how_it_stands() const {
+  if (!std::filesystem::is_directory(folder))
+    return "the folder " + folder + " is not there any more, nor what was in it";
+  std::string command =
+      communicator.size() == 1 ? "" : base::format("mpirun -np %d ", communicator.size());
+  command += "stroma run " + deck.document.path() + " -o " + folder;
+  for (const std::string& one : deck.overrides) command += " --set '" + one + "'";
+  return results.on_disk() + checkpoints.on_disk() + "\n" +
+         (checkpoints.on_disk().empty() ? "there is no checkpoint yet; to begin anew: " + command
+                                        : "to go on: " + command + " --restart");
 }
 
 }  // namespace
@@ -107,90 +175,45 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
   if (before) say.go_on(before->state().results.rows.back());
   say.describe(specimen, body->balance());
 
-  RunState state = before ? before->state() : RunState();
-  Results results(communicator, deck, specimen, files, folder, log, state.results);
+  const RunState at_start = before ? before->state() : RunState();
+  Results results(communicator, deck, specimen, files, folder, log, at_start.results);
   Checkpoints checkpoints(communicator, folder.checkpoint(), deck, files,
-                          before ? state.load.accepted : -1);
+                          before ? at_start.load.accepted : -1);
+  before.reset();
   solver::NewtonSolver newton(deck.parameters.solver, body->balance(),
                               [&](int iteration, double residual, long long linear) {
                                 stop.obey(false);
                                 say.newton(iteration, residual, linear);
                               });
-  newton.remember(state.newton);
-  solver::StepControl load(deck.parameters.loading, state.load);
-  before.reset();
-
-  const auto now = [&]() -> RunState { return {load.progress(), state.newton, results.so_far()}; };
-  const auto conclude = [&] {
-    results.write_last(body->balance(), body->displacement());
-    checkpoints.write(*body, now());
-    results.finish(body->balance(), body->displacement(), [&] { return say.seconds(); });
-  };
-  const auto end_of = [&] {
-    if (!std::filesystem::is_directory(folder.folder()))
-      return "the folder " + folder.folder() + " is not there any more, nor what was in it";
-    return results.on_disk() + checkpoints.on_disk() + "\n" +
-           how_to_go_on(communicator, deck, folder.folder(), !checkpoints.on_disk().empty());
-  };
-
+  newton.remember(at_start.newton);
+  solver::StepControl load(deck.parameters.loading, at_start.load);
+  Run run{communicator, deck,        folder.folder(), log, say, stop, *body, newton, load,
+          results,      checkpoints, at_start.newton};
   try {
-    if (options.is_restart) {
-      if (results.adopt(body->balance())) {
-        checkpoints.write_anew(*body, now());  // before those go of which the last one tells
-        results.remove_adopted();
-      }
-      results.write_missing(body->balance(), body->displacement());
-    } else {
-      results.write({}, body->balance(), body->displacement());
-    }
-    while (!load.finished()) {
-      const double begin = say.seconds();
-      state.newton = newton.memory();  // what an interrupted try learns counts for nothing
-      std::optional<grid::Vector> trial;
-      const auto solved = try_step(*body, newton, load, trial, deck, folder.folder(), say);
-      if (!solved) continue;
-
-      // The step has converged: only now does anything change.
-      body->accept(load.next(), *trial);
-      load.accept();
-      state.newton = newton.memory();
-      results.write(
-          row_of(load, load.load() * deck.parameters.loading.seconds(), *solved, say.seconds()),
-          body->balance(), *trial);
-      say.accepted(load, *solved);
-      log.require_written();
-      if (load.finished()) break;
-      // A run that goes on from here has no preconditioner of earlier steps: neither has this one.
-      if (checkpoints.is_due(load.accepted())) {
-        checkpoints.write(*body, now());
-        newton.attach(body->balance());
-      }
-      stop.learn(say.seconds() - begin, checkpoints.seconds());
-      stop.obey(true);
-    }
-    say.stabilization(*body);
-    conclude();
+    run.begin(options.is_restart);
+    run.take_steps();
+    run.conclude();
   } catch (const base::Interrupted& asked) {
-    checkpoints.write(*body, now());
-    const std::string text = std::string("stopped by ") + asked.what() + "; " + end_of();
+    checkpoints.write(*body, run.state());
+    const std::string text = std::string("stopped by ") + asked.what() + "; " + run.how_it_stands();
     log.line(text);
     throw base::Interrupted(text);
-  } catch (const StepFailed& failed) {
-    conclude();
+  } catch (const StepFailed&) {
+    run.conclude();
     throw;
-  } catch (
-      const base::RunError& error) {  // a file could not be written: is there room for this one?
+  } catch (const base::RunError& error) {
+    // A file could not be written: is there room for this one?
     try {
-      checkpoints.write(*body, now());
+      checkpoints.write(*body, run.state());
     } catch (const base::RunError&) {
     }
-    throw base::RunError(std::string(error.what()) + "\n" + end_of());
+    throw base::RunError(std::string(error.what()) + "\n" + run.how_it_stands());
   } catch (const base::InputError&) {
     throw;
   } catch (const std::exception& error) {  // perhaps of this rank alone, for want of memory
     throw std::runtime_error(
         (base::is_out_of_memory(error) ? base::out_of_memory : std::string(error.what())) + "\n" +
-        end_of());
+        run.how_it_stands());
   }
 }
 
