@@ -16,13 +16,20 @@ inline std::string small_deck() {
                     "base.yaml");
 }
 
-/// Runs a script of bash in a folder, in which $stroma is the program, and $mpirun starts ranks.
+/// Runs a script of bash in a folder, in which $stroma is the program, $mpirun starts ranks, and
+/// `wait_for_steps FILE` waits until a history.csv has three steps.
 inline Outcome run_script(const TemporaryFolder& folder, const std::string& script) {
   const std::string head =
       "stroma=" + quoted(STROMA_EXECUTABLE) +
       "\nmpirun='env -u OMPI_MCA_btl -u OMPI_MCA_pml -u OMPI_MCA_ess_singleton_isolated "
       "-u OMPI_MCA_orte_create_session_dirs OMPI_MCA_odls_base_sigkill_timeout=5 "
-      "PRTE_MCA_odls_base_sigkill_timeout=5 mpirun --oversubscribe'\n";
+      "PRTE_MCA_odls_base_sigkill_timeout=5 mpirun --oversubscribe'\n"
+      "wait_for_steps() {\n"
+      "  for ((n = 0; n < 600; ++n)); do\n"
+      "    [[ -f $1 && $(wc -l <\"$1\") -ge 4 ]] && break\n"
+      "    sleep 0.1\n"
+      "  done\n"
+      "}\n";
   folder.write("script.sh", head + script);
   return run_program("/bin/bash", folder.path(), "script.sh", 1, 1);
 }

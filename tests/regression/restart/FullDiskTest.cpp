@@ -50,10 +50,7 @@ TEST(FullDisk, AFolderThatIsGoneIsTold) {
   const Outcome outcome = run_script(folder, R"(
 "$stroma" run gel.yaml -o out --quiet --set 'Loading|Steps=5000' 2>errors &
 run=$!
-for ((n = 0; n < 600; ++n)); do
-  [[ -f out/history.csv && $(wc -l <out/history.csv) -ge 4 ]] && break
-  sleep 0.1
-done
+wait_for_steps out/history.csv
 mv out elsewhere
 wait $run
 echo status $?

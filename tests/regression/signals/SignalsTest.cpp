@@ -24,10 +24,7 @@ TEST_P(Signals, EndTheRunWithWhatIsOnDisk) {
                  "set -m\n" + start +
                      R"( run gel.yaml -o out --quiet --set 'Loading|Steps=5000' >output 2>errors &
 run=$!
-for ((n = 0; n < 600; ++n)); do
-  [[ -f out/history.csv && $(wc -l <out/history.csv) -ge 4 ]] && break
-  sleep 0.1
-done
+wait_for_steps out/history.csv
 kill -)" + signal + R"( $run
 wait $run
 echo status $?
@@ -69,10 +66,7 @@ TEST(Signals, EndAStudyWithItsMember) {
   const Outcome outcome = run_script(folder, R"(set -m
 "$stroma" study study.yaml -o out >output 2>errors &
 run=$!
-for ((n = 0; n < 600; ++n)); do
-  [[ -f out/Steps_5000/history.csv && $(wc -l <out/Steps_5000/history.csv) -ge 4 ]] && break
-  sleep 0.1
-done
+wait_for_steps out/Steps_5000/history.csv
 kill -TERM $run
 wait $run
 echo status $?

@@ -343,13 +343,26 @@ class SmallDisk {
 };
 
 // The disk of rank 0 fills up in the middle of a step; all ranks learn of it, and of the file.
-TEST(ParticleFile, ADiskThatFillsUpIsARunErrorOnEveryRank) {
+/// A file of one step.
+struct Begun {
+  explicit Begun(std::int64_t count) : sample(count) {
+    file.write(0.1, sample.set, sample.in_pieces(), {1, 0.1, 0});
+  }
+
   const TemporaryFolder folder;
-  const auto world = base::Communicator::world();
-  const Sample sample(20000);
-  output::ParticleFile file(world, folder / "p.e", sample.set, materials, global_names, provenance);
-  file.write(0.1, sample.set, sample.in_pieces(), {1, 0.1, 0});
+  const base::Communicator world = base::Communicator::world();
+  const Sample sample;
+  output::ParticleFile file{world, folder / "p.e", sample.set, materials, global_names, provenance};
   const std::string path = own_file(folder / "p.e");
+};
+
+TEST(ParticleFile, ADiskThatFillsUpIsARunErrorOnEveryRank) {
+  Begun begun(20000);
+  const TemporaryFolder& folder = begun.folder;
+  const base::Communicator& world = begun.world;
+  const Sample& sample = begun.sample;
+  output::ParticleFile& file = begun.file;
+  const std::string& path = begun.path;
   std::string message;
   {
     const rlim_t full = static_cast<rlim_t>(std::filesystem::file_size(path)) + 100000;
@@ -383,12 +396,10 @@ TEST(ParticleFile, ADiskThatFillsUpIsARunErrorOnEveryRank) {
 
 // V-RESTART-5.
 TEST(ParticleFile, AStepBecomesVisibleOnlyWhenItIsWhole) {
-  const TemporaryFolder folder;
-  const auto world = base::Communicator::world();
-  const Sample sample(20000);
-  output::ParticleFile file(world, folder / "p.e", sample.set, materials, global_names, provenance);
-  file.write(0.1, sample.set, sample.in_pieces(), {1, 0.1, 0});
-  const std::string path = own_file(folder / "p.e");
+  Begun begun(20000);
+  const Sample& sample = begun.sample;
+  output::ParticleFile& file = begun.file;
+  const std::string& path = begun.path;
   bool was_asked = false;
   file.write(0.2, sample.set,
              [&](const auto& use) {
