@@ -16,6 +16,10 @@ inline std::string small_deck() {
                     "base.yaml");
 }
 
+/// The same as a run of an hour.
+inline const std::string endless =
+    " --set 'Loading|Steps=900000' --set 'Loading|Smallest Step=1e-9' ";
+
 /// Runs a script of bash in a folder, in which $stroma is the program, $mpirun starts ranks, and
 /// `wait_for_steps FILE` waits until a history.csv has three steps.
 inline Outcome run_script(const TemporaryFolder& folder, const std::string& script) {

@@ -168,7 +168,7 @@ TEST_F(OutputFolder, TheLockOfAProcessThatIsGoneIsTakenOver) {
 TEST_F(OutputFolder, OfManyRunsAtOnceOneWrites) {
   const Outcome outcome = run_script(folder_, R"(
 for i in 1 2 3 4; do
-  ("$stroma" run gel.yaml -o out --quiet --set Loading\|Steps=100 --set Output\|Pictures=false 2>>errors; echo $? >>status) &
+  ("$stroma" run gel.yaml -o out --quiet --set Loading\|Steps=1000 --set Output\|Pictures=false 2>>errors; echo $? >>status) &
 done
 wait
 sort status | tr -d '\n'
@@ -177,7 +177,7 @@ sort status | tr -d '\n'
   EXPECT_NE(outcome.standard_output.find('0'), std::string::npos) << outcome.standard_output;
   EXPECT_NE(outcome.standard_output.find('2'), std::string::npos) << outcome.standard_output;
   EXPECT_EQ(outcome.standard_output.find('1'), std::string::npos) << outcome.standard_output;
-  EXPECT_EQ(History(folder_ / "out/history.csv").rows(), 101U);
+  EXPECT_EQ(History(folder_ / "out/history.csv").rows(), 1001U);
 }
 
 TEST(PhantomFile, OnlyAPhantomIsOverwritten) {

@@ -47,8 +47,8 @@ TEST(FullDisk, LosesNothing) {
 TEST(FullDisk, AFolderThatIsGoneIsTold) {
   const TemporaryFolder folder;
   folder.write("gel.yaml", small_deck());
-  const Outcome outcome = run_script(folder, R"(
-"$stroma" run gel.yaml -o out --quiet --set 'Loading|Steps=5000' 2>errors &
+  const Outcome outcome = run_script(folder, "\"$stroma\" run gel.yaml -o out --quiet" + endless +
+                                                 R"( 2>errors &
 run=$!
 wait_for_steps out/history.csv
 mv out elsewhere

@@ -140,16 +140,15 @@ TEST(Restart, AFinishedRunHasNothingLeftToDo) {
 TEST(Restart, ATimeLimitLeavesACheckpoint) {
   const TemporaryFolder folder;
   folder.write("gel.yaml", small_deck());
-  const std::string steps = " --set 'Loading|Steps=5000' ";
   const Outcome outcome =
-      run_stroma(folder.path(), "run gel.yaml --quiet --time-limit 00:00:03" + steps);
+      run_stroma(folder.path(), "run gel.yaml --quiet --time-limit 00:00:03" + endless);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.standard_error.find("stopped by --time-limit; on disk in gel: history.csv"),
             std::string::npos)
       << outcome.standard_error;
-  EXPECT_NE(outcome.standard_error.find(
-                "to go on: stroma run gel.yaml -o gel --set 'Loading|Steps=5000' --restart"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.standard_error.find("to go on: stroma run gel.yaml -o gel" + endless + "--restart"),
+      std::string::npos)
       << outcome.standard_error;
   const std::size_t rows = History(folder / "gel/history.csv").rows();
   EXPECT_GT(rows, 1U);
@@ -165,8 +164,8 @@ TEST(Restart, ATimeLimitLeavesACheckpoint) {
 TEST(Restart, AWarningSignalLeavesACheckpoint) {
   const TemporaryFolder folder;
   folder.write("gel.yaml", small_deck());
-  const Outcome outcome = run_script(folder, R"(set -m
-"$stroma" run gel.yaml -o out --quiet --set 'Loading|Steps=5000' 2>errors &
+  const Outcome outcome = run_script(
+      folder, "set -m\n\"$stroma\" run gel.yaml -o out --quiet" + endless + R"( 2>errors &
 run=$!
 wait_for_steps out/history.csv
 kill -USR1 $run

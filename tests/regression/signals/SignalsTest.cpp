@@ -13,16 +13,14 @@ namespace {
 class Signals : public ::testing::TestWithParam<std::pair<const char*, int>> {};
 
 // V-SIGNALS.
-// Steps enough for minutes; the signal comes with the third row of the table.
+// The signal comes with the third row of the table.
 TEST_P(Signals, EndTheRunWithWhatIsOnDisk) {
   const auto [signal, ranks] = GetParam();
   const TemporaryFolder folder;
   folder.write("gel.yaml", small_deck());
   const std::string start = ranks == 1 ? "\"$stroma\"" : "$mpirun -np 2 \"$stroma\"";
-  const Outcome outcome =
-      run_script(folder,
-                 "set -m\n" + start +
-                     R"( run gel.yaml -o out --quiet --set 'Loading|Steps=5000' >output 2>errors &
+  const Outcome outcome = run_script(folder, "set -m\n" + start + " run gel.yaml -o out --quiet" +
+                                                 endless + R"( >output 2>errors &
 run=$!
 wait_for_steps out/history.csv
 kill -)" + signal + R"( $run
@@ -57,22 +55,22 @@ INSTANTIATE_TEST_SUITE_P(All, Signals,
 
 TEST(Signals, EndAStudyWithItsMember) {
   const TemporaryFolder folder;
-  folder.write("base.yaml", small_deck());
+  folder.write("base.yaml", small_deck() + "    Smallest Step: 1.0e-9\n");
   folder.write("study.yaml", R"(Study:
   Base Deck: base.yaml
   Vary:
-    Loading|Steps: [5000, 5001]
+    Loading|Steps: [900000, 900001]
 )");
   const Outcome outcome = run_script(folder, R"(set -m
 "$stroma" study study.yaml -o out >output 2>errors &
 run=$!
-wait_for_steps out/Steps_5000/history.csv
+wait_for_steps out/Steps_900000/history.csv
 kill -TERM $run
 wait $run
 echo status $?
 )");
   EXPECT_EQ(outcome.standard_output, "status 1\n") << content_of(folder / "errors");
-  EXPECT_FALSE(fs::exists(folder / "out/Steps_5001"));
+  EXPECT_FALSE(fs::exists(folder / "out/Steps_900001"));
   EXPECT_NE(content_of(folder / "errors").find("run the study again"), std::string::npos);
 }
 
