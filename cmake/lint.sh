@@ -58,7 +58,7 @@ by_cppcheck() {
   include=$(mktemp -d)
   ln -s "$PWD/packages" "$include/stroma"
   cppcheck --quiet --error-exitcode=1 -j "$(nproc)" --language=c++ --std=c++17 \
-    --enable=warning,performance,portability,information --suppressions-list=cmake/lint/cppcheck.txt \
+    --enable=warning,performance,portability --suppressions-list=cmake/lint/cppcheck.txt \
     -I "$include" -I src packages src || status=1
   rm -r "$include"
   return $status
