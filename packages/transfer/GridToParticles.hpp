@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// Grid to particles: displacement, stress and energy of each particle at the current
+/// Grid to particles: displacement and its gradient, stress and energy of each particle at the current
 /// configuration.
 
 #include "stroma/transfer/MeanDilatation.hpp"
@@ -16,13 +16,15 @@ struct ParticleFields {
   Kokkos::View<double* [3], Kokkos::LayoutRight, Device>
       displacement;  ///< u, from the undeformed body [um]
   Kokkos::View<double* [6], Kokkos::LayoutRight, Device>
-      stress;                              ///< Cauchy, xx yy zz xy yz zx [Pa]
-  Kokkos::View<double*, Device> jacobian;  ///< J [-]
-  Kokkos::View<double*, Device> energy;    ///< W, per reference volume [Pa]
+      stress;  ///< Cauchy, xx yy zz xy yz zx [Pa]
+  Kokkos::View<double* [3][3], Kokkos::LayoutRight, Device> gradient;  ///< H = F - I [-]
+  Kokkos::View<double*, Device> jacobian;                              ///< J [-]
+  Kokkos::View<double*, Device> energy;  ///< W, per reference volume [Pa]
 
   explicit ParticleFields(int count)
       : displacement(Kokkos::view_alloc("displacement", Kokkos::WithoutInitializing), count),
         stress(Kokkos::view_alloc("stress", Kokkos::WithoutInitializing), count),
+        gradient(Kokkos::view_alloc("gradient", Kokkos::WithoutInitializing), count),
         jacobian(Kokkos::view_alloc("jacobian", Kokkos::WithoutInitializing), count),
         energy(Kokkos::view_alloc("energy", Kokkos::WithoutInitializing), count) {}
 };
@@ -32,12 +34,14 @@ template <class Visit, class... Fields>
 void for_each_result(const Visit& visit, Fields&&... fields) {
   visit(fields.displacement...);
   visit(fields.stress...);
+  visit(fields.gradient...);
   visit(fields.jacobian...);
   visit(fields.energy...);
 }
 
 /// Fills ParticleFields, whose entry 0 is the particle `first`: u_p = u_base + sum_I N_I U_I, and
-/// the law at H, its energy of volume at the element's mean dilatation where that is asked for.
+/// the law at H, its energy of volume at the element's mean dilatation where that is asked for;
+/// H has that dilatation too, so that det(I + H) = J.
 /// Each particle is written by its own element alone: nothing is atomic.
 template <class Shape, class Law, class Device>
 struct GridToParticles {
@@ -72,6 +76,9 @@ struct GridToParticles {
       const double components[6] = {sigma(0, 0), sigma(1, 1), sigma(2, 2),
                                     sigma(0, 1), sigma(1, 2), sigma(2, 0)};
       for (int c = 0; c < 6; ++c) fields.stress(p - first, c) = components[c];
+      const Tensor3 H = with_mean_dilatation(elements, mean, point);
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d) fields.gradient(p - first, c, d) = H(c, d);
       fields.jacobian(p - first) = jacobian;
       fields.energy(p - first) = material.energy(point.H, material.energy_of_volume(log_of_volume));
     });

@@ -163,7 +163,7 @@ namespace {
 output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields,
                                const std::vector<ShownValues>& shown, int first = 0) {
   output::ParticleState state{fields.displacement.data(), fields.stress.data(),
-                              fields.jacobian.data(), fields.energy.data()};
+                              fields.gradient.data(), fields.jacobian.data(), fields.energy.data()};
   for (const ShownValues& one : shown) state.fields.push_back(one.values.data() + first);
   return state;
 }
@@ -177,10 +177,12 @@ output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance
   if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
     const int count = specimen_->particles.count();
     const HomeOrder home(communicator_, balance.body().particles(), count);
-    const transfer::ParticleFields<grid::Device> here = balance.body().particle_fields(u);
-    transfer::ParticleFields<grid::Device> fields(0);
-    transfer::for_each_result([&](auto& at_home, const auto& view) { at_home = home(view); },
-                              fields, here);
+    transfer::ParticleFields<grid::Device> here = balance.body().particle_fields(u), fields(0);
+    const auto take_home = [&](auto& at_home, auto& view) {
+      at_home = home(view);
+      view = {};  // so that no two are there twice
+    };
+    transfer::for_each_result(take_home, fields, here);
     for (ShownValues& one : shown) one.values = home(one.values);
     return [fields, shown, count](const auto& use) {  // they live as long as the pieces may be
       output::in_one_piece(count, state_of(fields, shown))(use);  // asked for

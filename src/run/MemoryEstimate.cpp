@@ -82,7 +82,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   estimate.particles = (resets ? 2.0 * moving + seeded : seeded + remembered) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =
-      resets ? 2.0 * 88.0 * counts.particles : 88.0 * counts.particles / counts.layers;
+      resets ? (160.0 + 72.0) * counts.particles : 160.0 * counts.particles / counts.layers;
 
   const grid::Grid grid = grid::grid_for(parameters.grid.shape_functions, {});
   const bool flat = parameters.grid.plane_strain;

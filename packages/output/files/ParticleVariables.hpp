@@ -22,9 +22,10 @@ struct ShownField {
 
 /// What a step changes on the particles of one rank, in the order of the ParticleSet.
 struct ParticleState {
-  const double* displacement = nullptr;           ///< (particle, xyz) [um]
-  const double* stress = nullptr;                 ///< (particle, xx yy zz xy yz zx) Cauchy [Pa]
-  const double* jacobian = nullptr;               ///< (particle) det F [-]
+  const double* displacement = nullptr;  ///< (particle, xyz) [um]
+  const double* stress = nullptr;        ///< (particle, xx yy zz xy yz zx) Cauchy [Pa]
+  const double* gradient = nullptr;      ///< (particle, 3, 3) H(i, j) = dx_i/dX_j - delta_ij [-]
+  const double* jacobian = nullptr;      ///< (particle) det F [-]
   const double* strain_energy_density = nullptr;  ///< (particle) W per reference volume [Pa]
   std::vector<const double*> fields = {};         ///< (shown field) (particle)
 };
@@ -41,6 +42,10 @@ class ParticleAt {
     const double* s = state_->stress + 6 * p_;
     return {{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
   }
+  /// H = F - I.
+  tensor::Tensor3 gradient() const;
+  /// E = (F^T F - I) / 2 = (H + H^T + H^T H) / 2.
+  tensor::Tensor3 strain() const;
   /// Descending; computed once.
   double principal_stress(int i) const {
     if (!has_principal_) find_principal_stresses();

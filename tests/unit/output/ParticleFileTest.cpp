@@ -42,6 +42,7 @@ struct Sample {
       for (int i = 0; i < 3; ++i) position.push_back(g + 0.25 * i);
       for (int i = 0; i < 3; ++i) displacement.push_back(1e-3 * g + i);
       for (int i = 0; i < 6; ++i) stress.push_back(stress_of(global, i));
+      for (int i = 0; i < 9; ++i) gradient.push_back(gradient_of(global, i / 3, i % 3));
       jacobian.push_back(1.0 + 1e-4 * g);
       energy.push_back(1.0 / 3.0 + g);
     }
@@ -49,15 +50,15 @@ struct Sample {
     set.volume = volume.data();
     set.id = id.data();
     set.material = material.data();
-    state = {displacement.data(), stress.data(), jacobian.data(), energy.data()};
+    state = {displacement.data(), stress.data(), gradient.data(), jacobian.data(), energy.data()};
   }
   /// The state seven particles at a time, as if it were computed on the way.
   output::StatePieces in_pieces() const {
     return [this](const auto& use) {
       for (std::int64_t first = 0; first < set.count; first += 7)
         use(first, std::min<std::int64_t>(7, set.count - first),
-            {state.displacement + 3 * first, state.stress + 6 * first, state.jacobian + first,
-             state.strain_energy_density + first});
+            {state.displacement + 3 * first, state.stress + 6 * first, state.gradient + 9 * first,
+             state.jacobian + first, state.strain_energy_density + first});
     };
   }
 
@@ -65,9 +66,14 @@ struct Sample {
     return std::sin(0.1 * static_cast<double>(global % 1000) + i) * 500.0;
   }
 
+  /// H(i, j)
+  static double gradient_of(std::int64_t global, int i, int j) {
+    return std::cos(0.3 * static_cast<double>(global % 1000) + 3.0 * i + j);
+  }
+
   std::vector<std::int64_t> id;
   std::vector<std::uint8_t> material;
-  std::vector<double> position, volume, displacement, stress, jacobian, energy;
+  std::vector<double> position, volume, displacement, stress, gradient, jacobian, energy;
   output::ParticleSet set;
   output::ParticleState state;
 };
@@ -152,9 +158,12 @@ TEST(ParticleFile, HoldsEveryStepAtOnceReadable) {
 
   const ExodusReader reader(own_file(folder / "p.e"));
   const std::vector<std::string> variables = {
-      "displacement_x",     "displacement_y",     "displacement_z",    "von_mises",
-      "stress_xx",          "stress_yy",          "stress_zz",         "stress_xy",
-      "stress_yz",          "stress_zx",          "jacobian",          "strain_energy_density",
+      "displacement_x",     "displacement_y",     "displacement_z",
+      "von_mises",          "stress_xx",          "stress_yy",
+      "stress_zz",          "stress_xy",          "stress_yz",
+      "stress_zx",          "strain_xx",          "strain_yy",
+      "strain_zz",          "strain_xy",          "strain_yz",
+      "strain_zx",          "jacobian",           "strain_energy_density",
       "principal_stress_1", "principal_stress_2", "principal_stress_3"};
   EXPECT_EQ(reader.variables(EX_ELEM_BLOCK), variables);
   if (sample.set.count == 0) return;
@@ -171,7 +180,10 @@ TEST(ParticleFile, HoldsEveryStepAtOnceReadable) {
     };
     const auto jacobian = values("jacobian"), energy = values("strain_energy_density");
     const auto von_mises = values("von_mises"), u_z = values("displacement_z");
-    std::vector<std::vector<double>> s, principal;
+    const int rows[] = {0, 1, 2, 0, 1, 2}, columns[] = {0, 1, 2, 1, 2, 0};
+    std::vector<std::vector<double>> s, strain, principal;
+    for (const char* ij : {"xx", "yy", "zz", "xy", "yz", "zx"})
+      strain.push_back(values(std::string("strain_") + ij));
     for (const char* ij : {"xx", "yy", "zz", "xy", "yz", "zx"})
       s.push_back(values(std::string("stress_") + ij));
     for (const char* i : {"1", "2", "3"})
@@ -182,6 +194,19 @@ TEST(ParticleFile, HoldsEveryStepAtOnceReadable) {
       EXPECT_EQ(energy[e], sample.energy[p]);
       EXPECT_EQ(u_z[e], sample.displacement[3 * p + 2]);
       for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(s[i][e], sample.stress[6 * p + i]);
+
+      // E = (F^T F - I) / 2.
+      for (std::size_t c = 0; c < 6; ++c) {
+        const int i = rows[c], j = columns[c];
+        double product = 0.0;
+        for (int k = 0; k < 3; ++k) {
+          const auto F = [&](int a, int b) {
+            return sample.gradient[9 * p + static_cast<std::size_t>(3 * a + b)] + (a == b);
+          };
+          product += F(k, i) * F(k, j);
+        }
+        EXPECT_NEAR(strain[c][e], 0.5 * (product - (i == j)), 1e-14);
+      }
 
       // The principal values are in order and have the tensor's trace and second invariant; von
       // Mises stress follows from them alone.

@@ -71,6 +71,8 @@ void expect_rigid(const mechanics::MovingBody& body, const grid::Vector& u,
         tensor::von_mises({{{s(0), s(3), s(5)}, {s(3), s(1), s(4)}, {s(5), s(4), s(2)}}});
     EXPECT_LT(von_mises, 1e-11 * shear_modulus);
     EXPECT_NEAR(fields.jacobian(p), 1.0, 1e-11);
+    for (int c = 0; c < 3; ++c)
+      for (int d = 0; d < 3; ++d) EXPECT_NEAR(fields.gradient(p, c, d), R(c, d) - (c == d), 1e-11);
     const Vector3& X = start.at(particles.id(p));
     for (int c = 0; c < 3; ++c) {
       const auto i = static_cast<std::size_t>(c);
