@@ -29,3 +29,9 @@ target_include_directories(stroma_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR} 
 target_link_libraries(stroma_exodus INTERFACE ${EXODUS_LIBRARY} ${NETCDF_LIBRARY})
 
 find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+
+# Chart.js, which is built into reports.
+find_file(STROMA_CHARTS NAMES chart.min.js Chart.min.js chart.umd.js PATHS /usr/share/javascript PATH_SUFFIXES chart.js REQUIRED)

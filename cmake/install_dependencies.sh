@@ -14,9 +14,9 @@ packages=(
   trilinos-all-dev libptscotch-dev libopenmpi-dev openmpi-bin
   # files
   libhdf5-openmpi-dev libexodusii-dev libtiff-dev zlib1g-dev libbz2-dev
-  libyaml-cpp-dev libexpat1-dev libssl-dev
-  # command line, pictures
-  libcli11-dev gnuplot-nox fonts-dejavu-core
+  libyaml-cpp-dev libexpat1-dev libssl-dev nlohmann-json3-dev
+  # command line, pictures, charts of reports
+  libcli11-dev gnuplot-nox fonts-dejavu-core libjs-chart.js
 )
 docs=(
   # the docs as a site, with its equations; the pages of the code
@@ -28,7 +28,7 @@ lint=(
 )
 case ${1:-test} in
   demo) ;;
-  test) packages+=(ccache libgtest-dev nlohmann-json3-dev) ;;
+  test) packages+=(ccache libgtest-dev chromium chromium-driver python3-selenium) ;;
   docs) packages=("${docs[@]}") ;;
   lint) packages=("${lint[@]}") ;;
   *) sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;

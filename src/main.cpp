@@ -30,6 +30,7 @@
 #include "stroma/deck/Nearest.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
+#include "study/ReportCommand.hpp"
 #include "study/StudyCommand.hpp"
 #include "study/StudyDeck.hpp"
 
@@ -166,6 +167,10 @@ int main(int argc, char** argv) {
   CLI::App* verify =
       app.add_subcommand("verify", "check a folder of results against its deck and image");
   verify->add_option("DIR", options.output, "the folder that a run wrote")->required();
+  CLI::App* report =
+      app.add_subcommand("report", "make report.html of a folder of results, of a run or a study");
+  report->add_option("DIR", options.output, "the folder")->required();
+  report->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
   reference->add_option("SECTION", options.section,
                         "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
@@ -220,6 +225,8 @@ int main(int argc, char** argv) {
       stroma::study_command(communicator, options.deck, folder, log);
     } else if (*verify) {
       stroma::verify_command(communicator, options.output, log);
+    } else if (*report) {
+      stroma::report_command(communicator, options.output, log);
     } else if (*reference) {
       const bool of_study = (options.section + "|").rfind("Study|", 0) == 0;
       log.line(of_study

@@ -21,6 +21,7 @@ struct OutputParameters {
   double checkpoint_minutes = 10.0;  ///< between checkpoints; 0: no matter how many
   Precision precision = Precision::Double;
   bool pictures = true;
+  bool report = true;
   Origin origin = Origin::Top;  ///< of y, in pictures
 };
 

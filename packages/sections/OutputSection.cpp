@@ -29,6 +29,8 @@ deck::Section<OutputParameters> output_section() {
           "half the space).")
       .optional("Pictures", &OutputParameters::pictures, deck::any(),
                 "Draw vessels.png, von_mises.png and force.png with gnuplot at the end.")
+      .optional("Report", &OutputParameters::report, deck::any(),
+                "Write report.html at the end: what `stroma report DIR` makes of the folder.")
       .choice("Origin", &OutputParameters::origin,
               {{"Top", Origin::Top}, {"Bottom", Origin::Bottom}},
               "Where pictures have y = 0, the image's first row: at the Top, as image viewers show "

@@ -12,6 +12,7 @@
 
 #include "stroma/deck/PlainText.hpp"
 #include "stroma/material/Models.hpp"
+#include "stroma/output/files/RunFolder.hpp"
 #include "stroma/sections/BoundaryConditionsSection.hpp"
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
@@ -192,6 +193,11 @@ std::vector<std::string> input_files(const Deck& deck) {
     files.push_back(deck.document.resolve(file));
   });
   return files;
+}
+
+std::vector<std::string> run_files(const Deck& deck) {
+  const output::OutputParameters& output = deck.parameters.output;
+  return output::run_files(output.pictures, output.report);
 }
 
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {

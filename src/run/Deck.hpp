@@ -66,6 +66,9 @@ void for_each_image_file(DeckParameters& parameters,
 /// The files that a deck is read from: itself and its image.
 std::vector<std::string> input_files(const Deck& deck);
 
+/// The files that its run writes.
+std::vector<std::string> run_files(const Deck& deck);
+
 /// The deck as run, every default filled in and the image's file name absolute, so that it can be
 /// run again from any folder.
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);

@@ -10,6 +10,7 @@
 #include "run/Checkpoints.hpp"
 #include "run/Results.hpp"
 #include "run/RunLog.hpp"
+#include "run/RunReport.hpp"
 #include "run/Specimen.hpp"
 #include "run/StopRequest.hpp"
 #include "stroma/base/Error.hpp"
@@ -145,14 +146,11 @@ std::string Run::how_it_stands() const {
                                         : "to go on: " + command + " --restart");
 }
 
-}  // namespace
-
-void run_simulation(const base::Communicator& communicator, const Deck& deck,
-                    const RunOptions& options, base::Log& log) {
+/// From deck to results in the folder.
+void simulate(const base::Communicator& communicator, const Deck& deck, const RunOptions& options,
+              const output::RunFolder& folder, base::Log& log) {
   RunLog say(communicator, deck, log);
   StopRequest stop(communicator, options.time_limit);
-  const output::RunFolder folder(communicator, options.folder,
-                                 output::run_files(deck.parameters.output.pictures));
   std::optional<Checkpoint> before;
   if (options.is_restart) before.emplace(communicator, folder.checkpoint(), deck);
   folder.refuse_foreign_files(input_files(deck), options.is_restart);
@@ -215,6 +213,33 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
         (base::is_out_of_memory(error) ? base::out_of_memory : std::string(error.what())) + "\n" +
         run.how_it_stands());
   }
+}
+
+/// Makes report.html of what is in the folder, now that the body's memory is free. A report never
+/// makes a run fail.
+void report(const base::Communicator& communicator, const Deck& deck,
+            const output::RunFolder& folder, base::Log& log) {
+  if (!deck.parameters.output.report) return;
+  try {
+    run_report(communicator, folder.folder(), log);
+    folder.finish("report.html");
+  } catch (const base::RunError& error) {
+    log.note(std::string("report.html was not written: ") + error.what());
+  }
+}
+
+}  // namespace
+
+void run_simulation(const base::Communicator& communicator, const Deck& deck,
+                    const RunOptions& options, base::Log& log) {
+  const output::RunFolder folder(communicator, options.folder, run_files(deck));
+  try {
+    simulate(communicator, deck, options, folder, log);
+  } catch (const StepFailed&) {
+    report(communicator, deck, folder, log);
+    throw;
+  }
+  report(communicator, deck, folder, log);
 }
 
 }  // namespace stroma

@@ -14,6 +14,7 @@
 #include "stroma/output/files/WriteFile.hpp"
 #include "study/StudyDrawing.hpp"
 #include "study/StudyPlan.hpp"
+#include "study/StudyReport.hpp"
 #include "study/StudySizes.hpp"
 #include "study/StudySummary.hpp"
 
@@ -147,6 +148,11 @@ void study_command(const base::Communicator& communicator, const std::string& st
   log.line("");
   for (const std::string& line : size_summary(groups)) log.line(line);
   draw_study(communicator, plan, results, groups, folder.folder(), log);
+  try {
+    study_report(communicator, folder.folder(), log);
+  } catch (const base::RunError& error) {
+    log.note(std::string("report.html was not written: ") + error.what());
+  }
   folder.finish();
   log.line(format("%.1f s on %d rank%s; %s", MPI_Wtime() - start, communicator.size(),
                   communicator.size() == 1 ? "" : "s", folder.file("study.csv").c_str()));

@@ -26,7 +26,7 @@ bool is_reserved(const std::string& folder) {
   static const std::set<std::string> names{"pictures",         "study.csv",
                                            "convergence.csv",  "log.txt",
                                            "force_strain.png", "force_element_size.png",
-                                           "von_mises.png"};
+                                           "von_mises.png",    "report.html"};
   return names.count(folder) > 0;
 }
 

@@ -206,8 +206,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
       if (finished == 0) {
         base::Log silent(communicator, true);
         check_command(communicator, deck, silent);
-        output::refuse_foreign_files(communicator, plan->folders[m],
-                                     output::run_files(deck.parameters.output.pictures),
+        output::refuse_foreign_files(communicator, plan->folders[m], run_files(deck),
                                      input_files(deck));
       }
       const std::string image = xml(as_run(deck)->sublist("Image"));

@@ -41,6 +41,7 @@ bool begins_as_written(const fs::path& path) {
   if (begin.empty() || name == "log.txt" || ending == ".new") return true;
   if (ending == ".xml") return is("<!-- The deck as it was run");
   if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
+  if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
   if (ending == ".png") return is("\x89PNG");
   if (ending == ".gp") return is("# Draws ../");
   return ending == ".dat" || ending == ".raw" || is("\x89HDF") || is("CDF");

@@ -85,17 +85,19 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
 
 }  // namespace
 
-std::vector<std::string> run_files(bool pictures) {
+std::vector<std::string> run_files(bool pictures, bool report) {
   std::vector<std::string> names{"deck.xml",          "history.csv",    "log.txt",
                                  "particles.e",       "grid.e",         "checkpoint.h5",
                                  "checkpoint.h5.new", "history.csv.new"};
+  if (report) names.insert(names.end(), {"report.html", "report.html.new"});
   if (pictures)
     for (const char* picture : {"vessels", "von_mises", "force"}) add_picture(names, picture);
   return names;
 }
 
 std::vector<std::string> study_files() {
-  std::vector<std::string> names{"study.csv", "convergence.csv", "log.txt"};
+  std::vector<std::string> names{"study.csv", "convergence.csv", "log.txt", "report.html",
+                                 "report.html.new"};
   for (const char* picture : {"force_strain", "force_element_size", "von_mises"})
     add_picture(names, picture);
   return names;

@@ -15,8 +15,9 @@
 
 namespace stroma::output {
 
-/// Names of the files that a run leaves in its folder; with pictures, their data and scripts too.
-std::vector<std::string> run_files(bool pictures);
+/// Names of the files that a run leaves in its folder; with pictures, their data and scripts too;
+/// with a report, that.
+std::vector<std::string> run_files(bool pictures, bool report);
 /// Of a study, beside the folders of its members.
 std::vector<std::string> study_files();
 

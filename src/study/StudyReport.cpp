@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "study/StudyReport.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "run/RunReport.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/output/files/ProgramFacts.hpp"
+#include "stroma/output/files/RunFolder.hpp"
+#include "stroma/output/report/ReportPage.hpp"
+
+namespace stroma {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_members = 2000, most_rows = 200;
+
+/// The line of a run's log that tells its grid.
+std::string grid_line(const std::string& log) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("grid ", 0) == 0) return line;
+  return "";
+}
+
+/// A member that has left a deck and a history.
+json member_of(const std::string& folder, const output::RunFiles& files) {
+  const Deck deck = read_deck(files.deck(), {});
+  return {{"folder", folder},
+          {"title", deck.parameters.title},
+          {"grid", grid_line(text_of(files.log()))},
+          {"has_time", deck.parameters.loading.has_time()},
+          {"has_report", std::filesystem::exists(files.file("report.html"))},
+          {"supports", described_supports(deck.parameters, {1.0, 1.0, 1.0})},
+          {"history", output::table_excerpt(text_of(files.history()), most_rows, true)}};
+}
+
+/// The first field of a row of study.csv: names of folders need no quotes.
+std::string first_field(const std::string& row) { return row.substr(0, row.find(',')); }
+
+json data_of(const output::RunFiles& files) {
+  const std::string table = text_of(files.file("study.csv"));
+  json data{{"kind", "study"},
+            {"folder", std::filesystem::absolute(files.folder()).filename().string()},
+            {"made_by", output::program_version()},
+            {"log", text_of(files.log())},
+            {"study", output::table_excerpt(table, most_members, false)},
+            {"convergence",
+             output::table_excerpt(text_of(files.file("convergence.csv")), most_members, false)},
+            {"members", json::array()}};
+  std::istringstream rows(table);
+  std::string row;
+  std::getline(rows, row);
+  while (std::getline(rows, row) && data["members"].size() < most_members) {
+    const output::RunFiles member(files.file(first_field(row)));
+    if (std::filesystem::is_regular_file(member.deck()) &&
+        std::filesystem::is_regular_file(member.history()))
+      data["members"].push_back(member_of(first_field(row), member));
+  }
+  return data;
+}
+
+}  // namespace
+
+void study_report(const base::Communicator& communicator, const std::string& folder,
+                  base::Log& log) {
+  const output::RunFiles files(folder);
+  std::string page;
+  base::collectively(communicator, [&] {
+    if (!std::filesystem::is_regular_file(files.file("study.csv")))
+      throw base::InputError("'" + folder + "' is no folder of a study: it has no study.csv");
+    if (!communicator.is_root()) return;
+    const json data = data_of(files);
+    page = output::report_page(data["folder"].get<std::string>(), data, {});
+  });
+  write_report(communicator, folder, page, log);
+}
+
+}  // namespace stroma
