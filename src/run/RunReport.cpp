@@ -15,6 +15,7 @@
 #include "run/MovingSupports.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/image/ReadVolume.hpp"
+#include "stroma/output/files/Manifest.hpp"
 #include "stroma/output/files/ParticleReader.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
 #include "stroma/output/files/RunFolder.hpp"
@@ -173,9 +174,15 @@ void write_report(const base::Communicator& communicator, const std::string& fol
                   const std::string& page, base::Log& log) {
   const std::string path = output::RunFiles(folder).file("report.html");
   base::collectively(communicator, [&] {
-    if (communicator.is_root()) output::replace_file(path, page);
+    if (!communicator.is_root()) return;
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) && !output::Manifest::begins_as_written(path))
+      throw base::InputError("'" + path + "' is no report of Stroma; move it away, or rename it");
+    output::replace_file(path, page);
+    if (std::filesystem::exists(output::RunFiles(folder).file(".stroma_files"), ignored))
+      output::Manifest(folder).finish({"report.html"});  // the next run may remove it
   });
-  log.line(base::format("report     %s, %.1f MB", path.c_str(),
+  log.line(base::format("report      %s, %.1f MB", path.c_str(),
                         static_cast<double>(page.size()) * 1e-6));
 }
 

@@ -22,8 +22,10 @@ namespace stroma {
 /// \throws base::RunError when a file of it cannot be read, or the report not be written
 void run_report(const base::Communicator& communicator, const std::string& folder, base::Log& log);
 
-/// Writes report.html whole or not at all, and says where it is. Collective.
+/// Writes report.html whole or not at all, in place of an earlier one, and says where it is.
+/// Collective.
 /// \param page  on rank 0
+/// \throws base::InputError when a file of that name is there that is no report
 /// \throws base::RunError
 void write_report(const base::Communicator& communicator, const std::string& folder,
                   const std::string& page, base::Log& log);

@@ -222,7 +222,6 @@ void report(const base::Communicator& communicator, const Deck& deck,
   if (!deck.parameters.output.report) return;
   try {
     run_report(communicator, folder.folder(), log);
-    folder.finish("report.html");
   } catch (const base::RunError& error) {
     log.note(std::string("report.html was not written: ") + error.what());
   }

@@ -2,6 +2,7 @@
 
 #include "study/StudyReport.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -43,6 +44,18 @@ json member_of(const std::string& folder, const output::RunFiles& files) {
 /// The first field of a row of study.csv: names of folders need no quotes.
 std::string first_field(const std::string& row) { return row.substr(0, row.find(',')); }
 
+/// What the members' titles begin with: the study's own, for to it they add ": " and their name.
+std::string common_title(const json& members) {
+  std::string title;
+  for (const json& member : members) {
+    const auto one = member["title"].get<std::string>();
+    if (title.empty()) title = one;
+    const auto differ = std::mismatch(title.begin(), title.end(), one.begin(), one.end());
+    title.erase(differ.first, title.end());
+  }
+  return title.substr(0, title.rfind(": "));
+}
+
 json data_of(const output::RunFiles& files) {
   const std::string table = text_of(files.file("study.csv"));
   json data{{"kind", "study"},
@@ -62,6 +75,7 @@ json data_of(const output::RunFiles& files) {
         std::filesystem::is_regular_file(member.history()))
       data["members"].push_back(member_of(first_field(row), member));
   }
+  data["title"] = common_title(data["members"]);
   return data;
 }
 
@@ -76,7 +90,7 @@ void study_report(const base::Communicator& communicator, const std::string& fol
       throw base::InputError("'" + folder + "' is no folder of a study: it has no study.csv");
     if (!communicator.is_root()) return;
     const json data = data_of(files);
-    page = output::report_page(data["folder"].get<std::string>(), data, {});
+    page = output::report_page(data["title"].get<std::string>(), data, {});
   });
   write_report(communicator, folder, page, log);
 }

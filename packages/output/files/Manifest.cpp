@@ -32,21 +32,6 @@ std::string bytes_of(std::ifstream& file, std::uintmax_t place, std::size_t coun
   return bytes;
 }
 
-/// Whether a file that a killed run left begins as those of its kind do; an empty one does.
-bool begins_as_written(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string begin = bytes_of(file, 0, 64);
-  const auto is = [&](const std::string& text) { return begin.rfind(text, 0) == 0; };
-  const std::string ending = path.extension().string(), name = path.filename().string();
-  if (begin.empty() || name == "log.txt" || ending == ".new") return true;
-  if (ending == ".xml") return is("<!-- The deck as it was run");
-  if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
-  if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
-  if (ending == ".png") return is("\x89PNG");
-  if (ending == ".gp") return is("# Draws ../");
-  return ending == ".dat" || ending == ".raw" || is("\x89HDF") || is("CDF");
-}
-
 }  // namespace
 
 Manifest::Manifest(std::string folder) : folder_(std::move(folder)) {
@@ -104,6 +89,21 @@ bool Manifest::is_own(const std::string& file) const {
   if (found != finished_.end()) return found->second == fingerprint(file);
   return std::count(being_written_.begin(), being_written_.end(), name_of(file)) > 0 &&
          begins_as_written(path);
+}
+
+bool Manifest::begins_as_written(const std::string& file_path) {
+  const fs::path path = file_path;
+  std::ifstream file(path, std::ios::binary);
+  const std::string begin = bytes_of(file, 0, 64);
+  const auto is = [&](const std::string& text) { return begin.rfind(text, 0) == 0; };
+  const std::string ending = path.extension().string(), name = path.filename().string();
+  if (begin.empty() || name == "log.txt" || ending == ".new") return true;
+  if (ending == ".xml") return is("<!-- The deck as it was run");
+  if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
+  if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
+  if (ending == ".png") return is("\x89PNG");
+  if (ending == ".gp") return is("# Draws ../");
+  return ending == ".dat" || ending == ".raw" || is("\x89HDF") || is("CDF");
 }
 
 std::string Manifest::name_of(const std::string& file) {

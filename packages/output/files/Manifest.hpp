@@ -33,6 +33,9 @@ class Manifest {
   /// checksum, or whose name is being written and that begins as such a file does.
   bool is_own(const std::string& file) const;
 
+  /// Whether a file is one that a run may have left, by how it begins, or is empty.
+  static bool begins_as_written(const std::string& path);
+
   /// The name by which the files of a sequence and of a set of ranks go.
   static std::string name_of(const std::string& file);
 

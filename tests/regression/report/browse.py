@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens a report in headless Chromium and holds what it shows against the files beside it. Prints what is wrong.
+
+    browse.py run DIR [X Y Z VALUE]   of a run: VALUE is the von Mises stress of the last step at X, Y, Z [um]
+    browse.py study DIR
+"""
+import contextlib
+import csv
+import json
+import sys
+import time
+from pathlib import Path
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+WRONG = []
+
+
+def expect(holds, what):
+    if not holds:
+        WRONG.append(what)
+
+
+def near(a, b, share):
+    return abs(a - b) <= share * max(abs(a), abs(b), 1e-300)
+
+
+@contextlib.contextmanager
+def browser():
+    options = Options()
+    options.binary_location = "/usr/bin/chromium"
+    for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
+        options.add_argument(word)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    try:
+        yield driver
+    finally:
+        driver.quit()
+
+
+def until(holds, what, seconds=20):
+    end = time.time() + seconds
+    while time.time() < end:
+        if holds():
+            return
+        time.sleep(0.02)
+    expect(False, f"{what}, in {seconds} s")
+
+
+def open_page(driver, page, width, scheme):
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False})
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
+    driver.get(page.resolve().as_uri())
+    until(lambda: driver.execute_script("return document.documentElement.hasAttribute('data-ready')"), "the page is not ready")
+
+
+def check_layout(driver, page):
+    """Nothing sticks out at either width, in light and dark; everything to use has a name."""
+    for width in (1280, 400):
+        for scheme in ("light", "dark"):
+            open_page(driver, page, width, scheme)
+            beyond = driver.execute_script("return document.documentElement.scrollWidth - window.innerWidth")
+            expect(beyond <= 0, f"{beyond} pixels stick out at {width}, {scheme}")
+            nameless = driver.execute_script("""return [...document.querySelectorAll("input, select, canvas, button, summary, section")].filter((e) =>
+                !(e.getAttribute("aria-label") || e.getAttribute("aria-labelledby") || (e.labels && e.labels.length) || e.textContent)).map((e) => e.outerHTML)""")
+            expect(not nameless, f"without a name: {nameless}")
+
+
+def check_quiet(driver):
+    """Nothing is fetched, and the console is empty."""
+    for entry in driver.get_log("browser"):
+        expect(False, f"console: {entry['message']}")
+    for entry in driver.get_log("performance"):
+        message = json.loads(entry["message"])["message"]
+        if message["method"] == "Network.requestWillBeSent":
+            url = message["params"]["request"]["url"]
+            expect(url.startswith("file:") and url.endswith("report.html") or url.startswith("data:"), f"fetched {url[:80]}")
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.reader(file))
+
+
+def numbers(rows, name):
+    column = rows[0].index(name)
+    return [float(row[column]) for row in rows[1:]]
+
+
+def series(driver, chart):
+    """[{label, data: [{x, y}]}] as Chart.js has it."""
+    return driver.execute_script("""const chart = Chart.getChart(arguments[0]);
+        return chart ? chart.data.datasets.map((one) => ({label: one.label, data: one.data})) : []""", chart)
+
+
+def axis_title(driver, chart, axis):
+    return driver.execute_script("return Chart.getChart(arguments[0]).options.scales[arguments[1]].title.text", chart, axis)
+
+
+UNITS = {"pN": 1.0, "nN": 1e3, "µN": 1e6, "mN": 1e9}
+
+
+def force_unit(driver, chart):
+    return UNITS[axis_title(driver, chart, "y").split("(")[1].rstrip(")")]
+
+
+def check_history(driver, folder):
+    """The table is history.csv, and the curve is its reaction."""
+    rows = rows_of(folder / "history.csv")
+    details = driver.find_element(By.CSS_SELECTOR, "#force details")
+    driver.execute_script("arguments[0].open = true", details)
+    until(lambda: details.find_elements(By.TAG_NAME, "tbody"), "history.csv is not shown")
+    shown = driver.execute_script("return [...arguments[0].querySelectorAll('tr')].map((row) => [...row.children].map((field) => field.textContent))", details)
+    expect(shown == rows, "the table is not history.csv")
+
+    data = driver.execute_script("return JSON.parse(document.getElementById('data').textContent)")
+    support = data["supports"][0]
+    curve, unit = series(driver, "force-chart")[0], force_unit(driver, "force-chart")
+    expect(curve["label"] == support["name"], "the first curve is not that of the first support")
+    axis = max(range(3), key=lambda d: abs(support["displacement"][d]))
+    sign = 1.0 if support["displacement"][axis] > 0 else -1.0
+    forces = [sign * f for f in numbers(rows, f"{support['name']}.reaction_{'xyz'[axis]}")]
+    expect(len(curve["data"]) == len(forces), "the curve has other steps")
+    for point, force, load, seconds in zip(curve["data"], forces, numbers(rows, "load"), numbers(rows, "time")):
+        expect(near(point["y"] * unit, force, 1e-12), f"a force of {point['y'] * unit} instead of {force}")
+        x = seconds if data["has_time"] else 100.0 * load * support["strain"]
+        expect(near(point["x"], x, 1e-12), f"drawn at {point['x']} instead of {x}")
+    steps = [round(one["step"]) for one in data["maps"]["steps"]]
+    most = max(numbers(rows, f"{name}.von_mises_max")[step] for name in data["materials"] for step in steps)
+    field = data["maps"]["fields"][0]
+    if data["maps"]["merged"] == [1, 1, 1]:
+        expect(field["low"] == 0.0 and near(field["high"], most, 1e-6), f"von Mises from {field['low']} to {field['high']} instead of 0 to {most}")
+    return data
+
+
+def picture(driver, canvas):
+    return driver.execute_script("return document.getElementById(arguments[0]).toDataURL()", canvas)
+
+
+def check_sliders(driver, data):
+    """Arrow keys on a slider give another picture, and back the same."""
+    for name, count in (("z-slider", data["maps"]["count"][2]), ("step-slider", len(data["maps"]["steps"]))):
+        if count < 2:
+            continue
+        before, knob = picture(driver, "field-map"), driver.find_element(By.ID, name)
+        knob.send_keys(Keys.ARROW_LEFT)
+        until(lambda before=before: picture(driver, "field-map") != before, f"{name} does not move the picture")
+        knob.send_keys(Keys.ARROW_RIGHT)
+        until(lambda before=before: picture(driver, "field-map") == before, f"{name} does not bring the picture back")
+    if data["image"] and not isinstance(data["image"], str):
+        before = picture(driver, "specimen-map")
+        driver.execute_script("document.querySelector('input[name=layer][value=materials]').click()")
+        until(lambda: picture(driver, "specimen-map") != before, "materials look as the image does")
+    before = picture(driver, "field-map")
+    driver.execute_script("document.querySelectorAll('input[name=field]')[1].click()")
+    until(lambda: picture(driver, "field-map") != before, "another field does not give another picture")
+    driver.execute_script("document.querySelectorAll('input[name=field]')[0].click()")
+    until(lambda: picture(driver, "field-map") == before, "the field does not come back")
+
+
+def probe(driver):
+    return driver.find_element(By.ID, "probe").text
+
+
+def value_of(text, name):
+    words = text.replace("\n", " ").split(name, 1)[1].split()
+    return float(words[0])
+
+
+def check_pointer(driver, data, place):
+    """What is under the pointer, by keys and by mouse."""
+    canvas = driver.find_element(By.ID, "field-map")
+    canvas.send_keys(Keys.ARROW_RIGHT)
+    until(lambda: "von mises" in probe(driver), "an arrow key does not show a value")
+    before = probe(driver)
+    canvas.send_keys(Keys.ARROW_DOWN)
+    until(lambda: probe(driver) != before, "an arrow key does not move the pointer")
+    if place is None:
+        return
+    maps = data["maps"]
+    at = [(place[d] - maps["origin"][d]) / maps["cell"][d] for d in range(3)]
+    driver.execute_script("""const slider = document.getElementById("z-slider"); slider.value = arguments[0]; slider.dispatchEvent(new Event("input"));
+        const canvas = document.getElementById("field-map"), box = canvas.getBoundingClientRect();
+        canvas.dispatchEvent(new PointerEvent("pointermove", {clientX: box.left + arguments[1] * box.width, clientY: box.top + arguments[2] * box.height}))""",
+        int(at[2]), at[0] / maps["count"][0], at[1] / maps["count"][1])
+    until(lambda: near(value_of(probe(driver), "von mises stress"), place[3], 5e-4), f"'{probe(driver)}' instead of {place[3]} Pa")
+
+
+def check_run(driver, folder, place):
+    check_layout(driver, folder / "report.html")
+    open_page(driver, folder / "report.html", 1280, "light")
+    data = check_history(driver, folder)
+    check_sliders(driver, data)
+    check_pointer(driver, data, place)
+
+
+def check_study(driver, folder):
+    check_layout(driver, folder / "report.html")
+    open_page(driver, folder / "report.html", 1280, "light")
+    rows, unit = rows_of(folder / "study.csv"), force_unit(driver, "force-chart")
+    curves = series(driver, "force-chart")
+    expect(len(curves) == len(rows) - 1, f"{len(curves)} curves of {len(rows) - 1} members")
+    force = next(name for name in rows[0] if name.endswith(".force"))
+    for curve, value in zip(curves, numbers(rows, force)):
+        expect(near(curve["data"][-1]["y"] * unit, value, 1e-12), f"{curve['label']}: not the force of study.csv")
+    convergence = rows_of(folder / "convergence.csv")
+    limit, order = (convergence[0].index(name) for name in ("extrapolated_force", "order"))
+    shown = driver.execute_script("return [...document.querySelectorAll('#convergence tbody tr')].map((row) => [...row.children].map((field) => field.textContent))")
+    unit = force_unit(driver, "convergence-chart")
+    expect(len(shown) == len(convergence) - 1, "not all series of convergence.csv are shown")
+    for row, line in zip(convergence[1:], shown):
+        if row[limit] == "":
+            expect(line[4] == "–", f"{line[0]} is extrapolated")
+            continue
+        expect(near(float(line[4]) * unit, float(row[limit]), 1e-5), f"{line[0]}: {line[4]} at size 0")
+        expect(near(float(line[5]), float(row[order]), 1e-2), f"{line[0]}: order {line[5]}")
+        ends = [one["data"][0] for one in series(driver, "convergence-chart") if one["label"] == f"{line[0]}, extrapolated"]
+        expect(len(ends) == 1 and ends[0]["x"] == 0 and near(ends[0]["y"] * unit, float(row[limit]), 1e-12), f"{line[0]}: its limit is not drawn")
+
+
+def main():
+    kind, folder = sys.argv[1], Path(sys.argv[2])
+    with browser() as driver:
+        if kind == "run":
+            check_run(driver, folder, [float(word) for word in sys.argv[3:7]] or None)
+        else:
+            check_study(driver, folder)
+        check_quiet(driver)
+    for what in WRONG:
+        print(what)
+    return 1 if WRONG else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
