@@ -2,6 +2,8 @@
 
 #include "run/RunReport.hpp"
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -125,6 +127,16 @@ json image_of(const base::Communicator& communicator, const Deck& deck,
   return image;
 }
 
+/// Whether a condition holds more than one component: grips that let nothing slide.
+bool holds_sideways(const DeckParameters& parameters) {
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  return std::any_of(conditions.begin(), conditions.end(), [](const auto& named) {
+    return int{named.second.prescribes(0)} + int{named.second.prescribes(1)} +
+               int{named.second.prescribes(2)} >
+           1;
+  });
+}
+
 /// For one rank.
 json data_of(const Deck& deck, const output::RunFiles& files,
              std::vector<output::PageArray>& arrays) {
@@ -139,6 +151,7 @@ json data_of(const Deck& deck, const output::RunFiles& files,
             {"history", output::table_excerpt(text_of(files.history()), most_history_rows, true)},
             {"materials", names(p.materials.materials)},
             {"conditions", names(p.boundary_conditions.conditions)},
+            {"holds_sideways", holds_sideways(p)},
             {"has_time", p.loading.has_time()},
             {"y_downwards", p.output.origin == output::Origin::Top}};
   data["maps"] = maps_of(files, length, arrays);
@@ -171,7 +184,7 @@ json described_supports(const DeckParameters& parameters, const std::array<doubl
 }
 
 void write_report(const base::Communicator& communicator, const std::string& folder,
-                  const std::string& page, base::Log& log) {
+                  const std::string& page, double start, base::Log& log) {
   const std::string path = output::RunFiles(folder).file("report.html");
   base::collectively(communicator, [&] {
     if (!communicator.is_root()) return;
@@ -182,11 +195,12 @@ void write_report(const base::Communicator& communicator, const std::string& fol
     if (std::filesystem::exists(output::RunFiles(folder).file(".stroma_files"), ignored))
       output::Manifest(folder).finish({"report.html"});  // the next run may remove it
   });
-  log.line(base::format("report      %s, %.1f MB", path.c_str(),
-                        static_cast<double>(page.size()) * 1e-6));
+  log.line(base::format("report      %s, %.1f MB, made in %.1f s", path.c_str(),
+                        static_cast<double>(page.size()) * 1e-6, MPI_Wtime() - start));
 }
 
 void run_report(const base::Communicator& communicator, const std::string& folder, base::Log& log) {
+  const double start = MPI_Wtime();
   const output::RunFiles files(folder);
   std::optional<Deck> deck;
   json data;
@@ -206,7 +220,7 @@ void run_report(const base::Communicator& communicator, const std::string& folde
     data["image"] = image;
     page = output::report_page(deck->parameters.title, data, arrays);
   });
-  write_report(communicator, folder, page, log);
+  write_report(communicator, folder, page, start, log);
 }
 
 }  // namespace stroma

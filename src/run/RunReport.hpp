@@ -24,11 +24,12 @@ void run_report(const base::Communicator& communicator, const std::string& folde
 
 /// Writes report.html whole or not at all, in place of an earlier one, and says where it is.
 /// Collective.
-/// \param page  on rank 0
+/// \param page   on rank 0
+/// \param start  when it was begun [s], by MPI_Wtime()
 /// \throws base::InputError when a file of that name is there that is no report
 /// \throws base::RunError
 void write_report(const base::Communicator& communicator, const std::string& folder,
-                  const std::string& page, base::Log& log);
+                  const std::string& page, double start, base::Log& log);
 
 /// What report.js has to know of the supports that move.
 /// \param length  edges of the body's box [um]

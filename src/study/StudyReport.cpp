@@ -2,6 +2,8 @@
 
 #include "study/StudyReport.hpp"
 
+#include <mpi.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -83,6 +85,7 @@ json data_of(const output::RunFiles& files) {
 
 void study_report(const base::Communicator& communicator, const std::string& folder,
                   base::Log& log) {
+  const double start = MPI_Wtime();
   const output::RunFiles files(folder);
   std::string page;
   base::collectively(communicator, [&] {
@@ -92,7 +95,7 @@ void study_report(const base::Communicator& communicator, const std::string& fol
     const json data = data_of(files);
     page = output::report_page(data["title"].get<std::string>(), data, {});
   });
-  write_report(communicator, folder, page, log);
+  write_report(communicator, folder, page, start, log);
 }
 
 }  // namespace stroma

@@ -539,7 +539,8 @@ function checkBounds(history, log, tell) {
   data.small_strain_modulus = small;
   const where = `${short(small)} Pa at small strain`;
   if (small < 0.99 * reuss) tell("look", `Bounds: force per area and strain is ${where}, below Reuss's bound of ${name}, ${short(reuss)} Pa: empty space, or a grip that does not hold, would explain it.`);
-  else if (small > 1.01 * voigt) tell("look", `Bounds: force per area and strain is ${where}, above Voigt's bound of ${name}, ${short(voigt)} Pa: grips that hold sideways stiffen a body so.`);
+  else if (small > 1.01 * voigt && data.holds_sideways) tell("note", `Bounds: force per area and strain is ${where}, above Voigt's bound of ${name}, ${short(voigt)} Pa, which is one for rollers: grips that hold sideways stiffen a body.`);
+  else if (small > 1.01 * voigt) tell("look", `Bounds: force per area and strain is ${where}, above Voigt's bound of ${name}, ${short(voigt)} Pa.`);
   else tell("good", `Bounds: force per area and strain is ${where}, between Reuss (${short(reuss)} Pa) and Voigt (${short(voigt)} Pa) for ${name}.`);
 }
 

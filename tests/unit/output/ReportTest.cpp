@@ -107,6 +107,7 @@ TEST(ParticleReader, TellsWhatIsNotThere) {
   EXPECT_THROW(ParticleReader(folder / "particles.e"), base::RunError);
 }
 
+// V-REPORT
 TEST(ParticleMaps, HaveACellForEachParticle) {
   const TemporaryFolder folder;
   const Block block(folder / "particles.e");
@@ -136,6 +137,7 @@ TEST(ParticleMaps, HaveACellForEachParticle) {
   }
 }
 
+// V-REPORT
 TEST(ParticleMaps, MergeCellsByVolumeAndSkipStepsToStaySmall) {
   const TemporaryFolder folder;
   const Block block(folder / "particles.e");
