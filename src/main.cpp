@@ -19,6 +19,8 @@
 #include "commands/ImageCommand.hpp"
 #include "commands/PhantomCommand.hpp"
 #include "commands/VerifyCommand.hpp"
+#include "fit/FitCommand.hpp"
+#include "fit/FitDeck.hpp"
 #include "run/Deck.hpp"
 #include "run/Simulation.hpp"
 #include "stroma/base/Communicator.hpp"
@@ -126,6 +128,18 @@ std::string unknown_word(const CLI::App& app, const std::vector<char*>& words) {
   return "";
 }
 
+/// What a deck may say; after the word Study or Fit, the deck of one.
+std::string reference_of(const std::string& section) {
+  const auto behind = [&](const char* word) {
+    return section.substr(std::min(section.size(), std::strlen(word) + 1));
+  };
+  if ((section + "|").rfind("Study|", 0) == 0)
+    return stroma::deck::reference(stroma::study_section(), behind("Study"));
+  if ((section + "|").rfind("Fit|", 0) == 0)
+    return stroma::deck::reference(stroma::fit_section(), behind("Fit"));
+  return stroma::deck::reference(stroma::deck_section(), section);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -164,6 +178,11 @@ int main(int argc, char** argv) {
   study->add_option("-o,--output", options.output,
                     "output folder; else the deck's name without ending");
   study->add_flag("--quiet", options.quiet, "print errors only");
+  CLI::App* fit = app.add_subcommand("fit", "find numbers of a deck by measured forces");
+  fit->add_option("FIT", options.deck, "the deck of the fit, .xml or .yaml")->required();
+  fit->add_option("-o,--output", options.output,
+                  "output folder; else the deck's name without ending");
+  fit->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* verify =
       app.add_subcommand("verify", "check a folder of results against its deck and image");
   verify->add_option("DIR", options.output, "the folder that a run wrote")->required();
@@ -172,8 +191,9 @@ int main(int argc, char** argv) {
   report->add_option("DIR", options.output, "the folder")->required();
   report->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");
-  reference->add_option("SECTION", options.section,
-                        "one section, such as 'Image|Segmentation'; or Study: the deck of a study");
+  reference->add_option(
+      "SECTION", options.section,
+      "one section, such as 'Image|Segmentation'; or Study, Fit: the deck of one");
 
   // Kokkos gets its own words only: it would answer --help too. Every rank parses the rest alike.
   std::vector<char*> own_words(argv, argv + argc);
@@ -219,21 +239,17 @@ int main(int argc, char** argv) {
       stroma::image_command(communicator, options.image, log);
     } else if (*phantom) {
       stroma::phantom_command(communicator, options.phantom, log);
-    } else if (*study) {
+    } else if (*study || *fit) {
       const std::string folder =
           options.output.empty() ? default_folder(options.deck) : options.output;
-      stroma::study_command(communicator, options.deck, folder, log);
+      if (*study) stroma::study_command(communicator, options.deck, folder, log);
+      if (*fit) stroma::fit_command(communicator, options.deck, folder, log);
     } else if (*verify) {
       stroma::verify_command(communicator, options.output, log);
     } else if (*report) {
       stroma::report_command(communicator, options.output, log);
     } else if (*reference) {
-      const bool of_study = (options.section + "|").rfind("Study|", 0) == 0;
-      log.line(of_study
-                   ? stroma::deck::reference(stroma::study_section(),
-                                             options.section.substr(std::min<std::size_t>(
-                                                 options.section.size(), std::strlen("Study|"))))
-                   : stroma::deck::reference(stroma::deck_section(), options.section));
+      log.line(reference_of(options.section));
     }
     log.finish();
   } catch (const stroma::base::InputError& error) {

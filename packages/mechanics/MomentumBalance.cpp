@@ -185,8 +185,12 @@ double MomentumBalance::support_energy(const grid::Vector& u) const {
 }
 
 std::int64_t MomentumBalance::internal_force(const grid::Vector& u, grid::Vector& force) const {
-  return body_.communicator().sum(
-      ElasticForce(body_.halo(), body_.stress()).force(state(u), force).inverted);
+  return internal_force(body_.stress(), u, force);
+}
+
+std::int64_t MomentumBalance::internal_force(const std::shared_ptr<const StressKernels>& laws,
+                                             const grid::Vector& u, grid::Vector& force) const {
+  return body_.communicator().sum(ElasticForce(body_.halo(), laws).force(state(u), force).inverted);
 }
 
 void MomentumBalance::choose_tangent(TangentForm form) {

@@ -96,6 +96,10 @@ class MomentumBalance {
   /// The internal force alone, of stress [pN], evaluated anew.
   /// \return ForceBalance::inverted
   std::int64_t internal_force(const grid::Vector& u, grid::Vector& force) const;
+  /// The same of particles with other laws, which remember nothing: what a number of a law does to
+  /// the force at a given displacement. There are as many laws as the problem has.
+  std::int64_t internal_force(const std::shared_ptr<const StressKernels>& laws,
+                              const grid::Vector& u, grid::Vector& force) const;
 
   /// How the tangent is stored from now on; compressed rows unless told otherwise.
   void choose_tangent(TangentForm form);

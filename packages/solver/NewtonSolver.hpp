@@ -64,6 +64,14 @@ class NewtonSolver {
   /// elements. Collective.
   void predict(grid::Vector& u, const grid::Vector& prescribed_change);
 
+  /// Solves K(u) x = b at the components that are not prescribed, with the preconditioner that
+  /// Newton's method has; x is 0 at the others, where b does not count. Refined by the tangent's
+  /// product, which knows nothing of the rounding with which a stencil is stored. Collective.
+  /// \param tolerance  ||K x - b|| / ||b||
+  /// \throws base::StepRejected when the tangent is indefinite, or the tolerance is not reached
+  void solve_tangent(const grid::Vector& u, const grid::Vector& b, grid::Vector& x,
+                     double tolerance);
+
   const NewtonMemory& memory() const { return memory_; }
   /// Goes on as one that has learnt this.
   void remember(const NewtonMemory& memory) { memory_ = memory; }

@@ -54,6 +54,7 @@ struct Run {
   solver::StepControl& load;
   Results& results;
   Checkpoints& checkpoints;
+  const std::function<void(const AcceptedStep&)>& accepted;
   solver::NewtonMemory learnt =
       {};  ///< in whole tries: what an interrupted one learns does not count
 
@@ -90,7 +91,9 @@ void Run::take_steps() {
     load.accept();
     learnt = newton.memory();
     const double time = load.load() * deck.parameters.loading.seconds();
-    results.write(row_of(load, time, *solved, say.seconds()), body.balance(), *trial);
+    const output::HistoryRow row = row_of(load, time, *solved, say.seconds());
+    results.write(row, body.balance(), *trial);
+    if (accepted) accepted({row, body.balance(), *trial, newton});
     say.accepted(load, *solved);
     log.require_written();
     if (load.finished()) break;
@@ -185,8 +188,19 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
                               });
   newton.remember(at_start.newton);
   solver::StepControl load(deck.parameters.loading, at_start.load);
-  Run run{communicator, deck,        folder.folder(), log, say, stop, *body, newton, load,
-          results,      checkpoints, at_start.newton};
+  Run run{communicator,
+          deck,
+          folder.folder(),
+          log,
+          say,
+          stop,
+          *body,
+          newton,
+          load,
+          results,
+          checkpoints,
+          options.accepted,
+          at_start.newton};
   try {
     run.begin(options.is_restart);
     run.take_steps();

@@ -4,14 +4,12 @@
 
 #include <mpi.h>
 
-#include <Teuchos_TimeMonitor.hpp>
 #include <algorithm>
 
-#include "run/Simulation.hpp"
 #include "stroma/base/Error.hpp"
-#include "stroma/base/Signals.hpp"
 #include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/files/WriteFile.hpp"
+#include "study/MemberRun.hpp"
 #include "study/StudyDrawing.hpp"
 #include "study/StudyPlan.hpp"
 #include "study/StudyReport.hpp"
@@ -49,28 +47,6 @@ void read_back(const base::Communicator& communicator, const std::string& folder
   }
   communicator.broadcast(is_whole);
   if (is_whole == 0) result.status = MemberStatus::failed;
-}
-
-/// Runs one member. Collective. \return why it failed; empty when it did not
-/// \throws base::Interrupted when a signal ends the study
-std::string run_member(const base::Communicator& communicator, const std::string& name,
-                       const Deck& deck, const std::string& folder) {
-  Teuchos::TimeMonitor::zeroOutTimers();  // the member's log tells the times of the member
-  base::Log log(communicator, true);
-  try {
-    run_simulation(communicator, deck, {folder, false, {}}, log);
-    log.finish();
-    return "";
-  } catch (const base::Interrupted& interrupted) {
-    throw base::Interrupted("member \"" + name + "\": " + interrupted.what() +
-                            "\nto go on: run the study again; what is finished is not run again");
-  } catch (const base::RunError& error) {
-    log.line(std::string("stroma: ") + error.what());
-    return error.what();
-  } catch (const base::InputError& error) {
-    log.line(std::string("stroma: ") + error.what());
-    return located(deck, error).what();
-  }
 }
 
 std::string figures_of(const StudyPlan& plan, std::size_t m, const MemberResult& result) {
@@ -113,8 +89,10 @@ void study_command(const base::Communicator& communicator, const std::string& st
     }
     const double before = MPI_Wtime();
     log.line(head + ": running, its log is " + plan.folders[m] + "/log.txt");
+    RunOptions options;
+    options.folder = plan.folders[m];
     const std::string failure =
-        run_member(communicator, plan.members[m].name, plan.decks[m], plan.folders[m]);
+        run_member(communicator, plan.members[m].name, plan.decks[m], options);
     log.require_written();
     results[m].status = failure.empty() ? MemberStatus::done : MemberStatus::failed;
     read_back(communicator, plan.folders[m], results[m]);

@@ -2,11 +2,8 @@
 
 #include "study/StudyPlan.hpp"
 
-#include <Teuchos_XMLParameterListCoreHelpers.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -21,6 +18,7 @@
 #include "stroma/mechanics/problem/GridParameters.hpp"
 #include "stroma/output/files/History.hpp"
 #include "stroma/output/files/RunFolder.hpp"
+#include "study/MemberRun.hpp"
 
 namespace stroma {
 namespace {
@@ -60,46 +58,9 @@ class MemberMistakes {
   std::vector<std::pair<std::string, std::vector<std::string>>> mistakes_;
 };
 
-/// What the study lays over the base deck comes as if from --set; its user wrote no such thing.
-std::string in_terms_of_study(std::string message) {
-  static const std::string option = "\n--set, ";
-  for (std::size_t at = 0; (at = message.find(option, at)) != std::string::npos;)
-    message.replace(at, option.size(), "\nset by the study, ");
-  return message;
-}
-
 bool sets_title(const Member& member) {
   return std::any_of(member.overrides.begin(), member.overrides.end(),
                      [](const std::string& text) { return text.rfind("Title=", 0) == 0; });
-}
-
-std::string xml(const Teuchos::ParameterList& list) {
-  std::ostringstream text;
-  Teuchos::writeParameterListToXmlOStream(list, text);
-  return text.str();
-}
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Whether a folder holds a finished run of this deck. For one rank.
-bool is_finished(const fs::path& folder, const Deck& deck) {
-  const std::string text = content_of(folder / "deck.xml"), end_of_comment = "-->\n";
-  const std::size_t comment = text.find(end_of_comment);
-  const Teuchos::RCP<Teuchos::ParameterList> list = as_run(deck);
-  if (comment == std::string::npos || text.substr(comment + end_of_comment.size()) != xml(*list))
-    return false;
-  try {
-    if (!output::HistoryTable((folder / "history.csv").string()).reached_full_load()) return false;
-  } catch (const base::RunError&) {
-    return false;
-  }
-  if (!deck.parameters.image.file) return true;
-  std::error_code failure;
-  const auto image = fs::last_write_time(list->sublist("Image").get<std::string>("File"), failure);
-  return !failure && image <= fs::last_write_time(folder / "history.csv", failure) && !failure;
 }
 
 /// The deck without what says how large the elements are.
@@ -152,7 +113,7 @@ void read_members(StudyPlan& plan, const std::string& output_folder) {
           families.emplace(apart_from_element_size(plan.decks.back()), families.size());
       plan.family.push_back(family->second);
     } catch (const base::InputError& error) {
-      mistakes.add(member.name, in_terms_of_study(error.what()));
+      mistakes.add(member.name, in_terms_of("the study", error.what()));
     }
   }
   mistakes.throw_if_any(plan.study.document.path(), plan.members.size());
@@ -218,7 +179,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
       }
       plan->facts.push_back(facts_of(deck, box_of_image[image]));
     } catch (const base::InputError& error) {
-      mistakes.add(plan->members[m].name, in_terms_of_study(located(deck, error).what()));
+      mistakes.add(plan->members[m].name, in_terms_of("the study", located(deck, error).what()));
     }
   }
   mistakes.throw_if_any(study_deck, plan->members.size());

@@ -380,4 +380,12 @@ std::vector<std::array<double, 3>> Supports::reactions(const grid::Vector& unbal
   return sums;
 }
 
+void Supports::mark_reaction(std::size_t condition, int component, grid::Vector& v) const {
+  v.putScalar(0.0);
+  const auto mark = v.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (const Prescribed& p : prescribed_)
+    if (p.condition == static_cast<int>(condition) && p.unknown % 3 == component)
+      mark(p.unknown, 0) = 1.0;
+}
+
 }  // namespace stroma::mechanics

@@ -87,6 +87,10 @@ class Supports {
   /// conditions prescribe counts for the first. Collective.
   std::vector<std::array<double, 3>> reactions(const grid::Vector& unbalanced_force) const;
 
+  /// Sets v to 1 at the components of one axis that reactions() counts for a condition, and to 0 at
+  /// all others: the reaction is v . unbalanced_force.
+  void mark_reaction(std::size_t condition, int component, grid::Vector& v) const;
+
   /// Components held against free rigid motion.
   const std::vector<NodeComponent>& rigid_holds() const { return rigid_holds_; }
   /// The pieces of the body, and those that left the system.

@@ -8,10 +8,7 @@
 #include "stroma/base/Error.hpp"
 
 namespace stroma::output {
-namespace {
-
-/// The fields of a line, quotes taken off.
-std::vector<std::string> fields_of(const std::string& line) {
+std::vector<std::string> csv_fields(const std::string& line) {
   std::vector<std::string> fields(1);
   bool in_quotes = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -30,12 +27,12 @@ std::vector<std::string> fields_of(const std::string& line) {
   return fields;
 }
 
-bool read_number(const std::string& text, double& number) {
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return failure == std::errc() && end == text.data() + text.size();
+std::optional<double> csv_number(const std::string& field) {
+  double number = 0.0;
+  const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
+  if (failure != std::errc() || end != field.data() + field.size()) return std::nullopt;
+  return number;
 }
-
-}  // namespace
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
@@ -48,13 +45,13 @@ HistoryTable::HistoryTable(const std::string& path) : path_(path) {
   std::ifstream file(path);
   std::string line;
   if (!file || !std::getline(file, line)) throw base::RunError("cannot read '" + path + "'");
-  names_ = fields_of(line);
+  names_ = csv_fields(line);
   while (std::getline(file, line) && !file.eof()) {  // a line without its end was being written
-    const std::vector<std::string> fields = fields_of(line);
-    std::vector<double> numbers(fields.size());
-    bool is_row = fields.size() == names_.size();
-    for (std::size_t i = 0; is_row && i < fields.size(); ++i)
-      is_row = read_number(fields[i], numbers[i]);
+    const std::vector<std::string> fields = csv_fields(line);
+    std::vector<double> numbers;
+    for (const std::string& field : fields)
+      if (const auto number = csv_number(field)) numbers.push_back(*number);
+    const bool is_row = fields.size() == names_.size() && numbers.size() == fields.size();
     if (!is_row)
       throw base::RunError("'" + path + "', row " + std::to_string(rows_) +
                            ": not a row of numbers under its header");

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace stroma::output {
 
 /// Quotes a field of a CSV file where it has to be: a comma, a quote or a line break (RFC 4180).
 std::string csv_field(const std::string& text);
+/// The fields of a line of a CSV file, their quotes taken off.
+std::vector<std::string> csv_fields(const std::string& line);
+/// The number that a field holds and nothing else, or nothing.
+std::optional<double> csv_number(const std::string& field);
 
 /// The columns of a history.csv by name. Row s is the accepted step s; the last one may be missing
 /// its end if the run was killed: only whole rows count.

@@ -99,7 +99,9 @@ bool Manifest::begins_as_written(const std::string& file_path) {
   const std::string ending = path.extension().string(), name = path.filename().string();
   if (begin.empty() || name == "log.txt" || ending == ".new") return true;
   if (ending == ".xml") return is("<!-- The deck as it was run");
-  if (ending == ".csv") return is("step,load,") || is("member,") || is("series,");
+  if (ending == ".csv")
+    return is("step,load,") || is("member,") || is("series,") || is("run,") || is("parameter,") ||
+           is("measurement,");
   if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
   if (ending == ".png") return is("\x89PNG");
   if (ending == ".gp") return is("# Draws ../");

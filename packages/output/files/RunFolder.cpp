@@ -88,7 +88,7 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
 std::vector<std::string> run_files(bool pictures, bool report) {
   std::vector<std::string> names{"deck.xml",          "history.csv",    "log.txt",
                                  "particles.e",       "grid.e",         "checkpoint.h5",
-                                 "checkpoint.h5.new", "history.csv.new"};
+                                 "checkpoint.h5.new", "history.csv.new", "sensitivity.csv"};
   if (report) names.insert(names.end(), {"report.html", "report.html.new"});
   if (pictures)
     for (const char* picture : {"vessels", "von_mises", "force"}) add_picture(names, picture);
@@ -100,6 +100,12 @@ std::vector<std::string> study_files() {
                                  "report.html.new"};
   for (const char* picture : {"force_strain", "force_element_size", "von_mises"})
     add_picture(names, picture);
+  return names;
+}
+
+std::vector<std::string> fit_files() {
+  std::vector<std::string> names{"fit.csv", "estimates.csv", "fitted.csv", "log.txt"};
+  add_picture(names, "fit");
   return names;
 }
 

@@ -20,6 +20,8 @@ namespace stroma::output {
 std::vector<std::string> run_files(bool pictures, bool report);
 /// Of a study, beside the folders of its members.
 std::vector<std::string> study_files();
+/// Of a fit, beside the folders of its members.
+std::vector<std::string> fit_files();
 
 /// Refuses a folder in which a file of the names given, spread over so many ranks, is in the way: a
 /// run would write it, and it is the user's own. A folder that does not exist is not refused.

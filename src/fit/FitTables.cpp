@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "fit/FitTables.hpp"
+
+#include <algorithm>
+
+#include "stroma/base/Log.hpp"
+#include "stroma/output/files/HistoryTable.hpp"
+
+namespace stroma {
+namespace {
+
+using base::format;
+using output::csv_field;
+
+std::string digits(double value) { return format("%.17g", value); }
+
+/// "520.8 to 530.2", or what stands for it.
+std::string interval(const NumberEstimate& one) {
+  if (!one.standard_deviation) return "not determined";
+  return format("%.6g to %.6g", one.low, one.high);
+}
+
+}  // namespace
+
+std::string runs_table(const FitPlan& plan, const std::vector<FitRun>& runs) {
+  std::string table = "run,folder,status";
+  for (const auto& named : plan.parameters.parameters.all) table += "," + csv_field(named.first);
+  table += ",chi2\n";
+  for (std::size_t n = 0; n < runs.size(); ++n) {
+    const FitRun& run = runs[n];
+    const bool is_done = run.failure.empty();
+    table += std::to_string(n + 1) + "," + csv_field(run.folder) + (is_done ? ",done" : ",failed");
+    for (const double value : run.values) table += "," + digits(value);
+    table += "," + (is_done ? digits(run.chi2) : "") + "\n";
+  }
+  return table;
+}
+
+std::string estimates_table(const FitPlan& plan, const std::vector<FittedNumber>& numbers,
+                            const Estimate& estimate) {
+  std::string table = "parameter,path,value,standard_deviation,low,high";
+  for (const FittedNumber& number : numbers)
+    table += "," + csv_field("correlation with " + number.name);
+  table += "\n";
+  for (std::size_t j = 0; j < numbers.size(); ++j) {
+    const NumberEstimate& one = estimate.numbers[j];
+    table += csv_field(numbers[j].name) + "," +
+             csv_field(plan.parameters.parameters.all[j].second.path) + "," +
+             digits(numbers[j].value);
+    table += one.standard_deviation ? "," + digits(*one.standard_deviation) + "," +
+                                          digits(one.low) + "," + digits(one.high)
+                                    : ",,,";
+    for (const auto& correlation : one.correlation)
+      table += "," + (correlation ? digits(*correlation) : "");
+    table += "\n";
+  }
+  return table;
+}
+
+std::string fitted_table(const FitPlan& plan, const FitRun& best) {
+  std::string table = "measurement,load,strain_or_time,measured,error,fitted\n";
+  for (std::size_t i = 0; i < plan.points.size(); ++i) {
+    const FitPoint& point = plan.points[i];
+    table += csv_field(plan.parameters.measurements.all[point.measurement].first) + "," +
+             digits(point.load) + "," + digits(point.measured.abscissa) + "," +
+             digits(point.measured.force) + "," + digits(point.measured.error) + "," +
+             digits(best.forces[static_cast<Eigen::Index>(i)]) + "\n";
+  }
+  return table;
+}
+
+std::vector<std::string> fit_summary(const FitPlan& plan, const std::vector<FittedNumber>& numbers,
+                                     const Estimate& estimate, const FitRun& best) {
+  std::size_t width = 9;
+  for (const FittedNumber& number : numbers) width = std::max(width, number.name.size());
+  const int w = static_cast<int>(width);
+  std::vector<std::string> lines{
+      format("%-*s  %14s  %12s  %s", w, "parameter", "value", "std. dev.", "95 % interval")};
+  for (std::size_t j = 0; j < numbers.size(); ++j) {
+    const NumberEstimate& one = estimate.numbers[j];
+    const std::string deviation =
+        one.standard_deviation ? format("%.4g", *one.standard_deviation) : "-";
+    lines.push_back(format("%-*s  %14.8g  %12s  %s", w, numbers[j].name.c_str(), numbers[j].value,
+                           deviation.c_str(), interval(one).c_str()));
+  }
+  lines.push_back(format("chi^2 %.6g of %zu forces", best.chi2, plan.points.size()));
+  if (!estimate.singular_values.empty()) {
+    std::string values = "singular values of the relative sensitivity:";
+    for (const double value : estimate.singular_values) values += format(" %.4g", value);
+    lines.push_back(values);
+  }
+  for (const std::string& statement : estimate.statements) lines.push_back("note: " + statement);
+  return lines;
+}
+
+}  // namespace stroma
