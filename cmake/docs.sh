@@ -36,6 +36,10 @@ ln -s "$project"/docs/* "$stage/docs"
   printf '# Study reference\n\nEverything that the deck of a study may say, as `stroma reference Study` prints it.\n\n'
   "$stroma" reference Study | sed '/^- `/s/$/\\/'
 } >"$stage/docs/study_reference.md"
+{
+  printf '# Fit reference\n\nEverything that the deck of a fit may say, as `stroma reference Fit` prints it.\n\n'
+  "$stroma" reference Fit | sed '/^- `/s/$/\\/'
+} >"$stage/docs/fit_reference.md"
 cat >"$stage/docs/api.md" <<END
 # The code, page by page
 

@@ -15,6 +15,8 @@ packages=(
   # files
   libhdf5-openmpi-dev libexodusii-dev libtiff-dev zlib1g-dev libbz2-dev
   libyaml-cpp-dev libexpat1-dev libssl-dev nlohmann-json3-dev
+  # least squares
+  libceres-dev
   # command line, pictures, charts of reports
   libcli11-dev gnuplot-nox fonts-dejavu-core libjs-chart.js
 )

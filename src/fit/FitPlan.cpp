@@ -50,7 +50,8 @@ void read_points(FitPlan& plan, const Deck& start, deck::Findings& findings) {
   const auto& conditions = start.parameters.boundary_conditions.conditions;
   const auto& measurements = plan.parameters.measurements.all;
   for (std::size_t m = 0; m < measurements.size(); ++m) {
-    const auto& [name, p] = measurements[m];
+    const std::string& name = measurements[m].first;
+    const MeasurementParameters& p = measurements[m].second;
     const std::string where = "Measurements|" + name + "|";
     const auto condition = std::find_if(conditions.begin(), conditions.end(),
                                         [&](const auto& one) { return one.first == p.condition; });

@@ -115,16 +115,16 @@ FitRun FitRuns::make(const std::vector<double>& values) {
   return run;
 }
 
-const FitRun& FitRuns::at(const std::vector<double>& wanted) {
-  std::vector<double> values = tidy(wanted);
-  communicator_.broadcast(values.data(), values.size());
-  const auto known = places_.find(values);
+const FitRun& FitRuns::at(const std::vector<double>& values) {
+  std::vector<double> tried = tidy(values);
+  communicator_.broadcast(tried.data(), tried.size());
+  const auto known = places_.find(tried);
   if (known != places_.end()) return runs_[known->second];
   const double before = MPI_Wtime();
-  places_[values] = runs_.size();
-  runs_.push_back(make(values));
+  places_[tried] = runs_.size();
+  runs_.push_back(make(tried));
   const FitRun& run = runs_.back();
-  const std::string head = format("[%zu] %s: ", runs_.size(), name_of(*plan_, values).c_str());
+  const std::string head = format("[%zu] %s: ", runs_.size(), name_of(*plan_, tried).c_str());
   if (!run.failure.empty())
     log_->line(head + "failed\n  " + run.failure.substr(0, run.failure.find('\n')));
   else

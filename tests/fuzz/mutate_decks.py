@@ -42,7 +42,7 @@ def seeds():
     found = []
     for patterns in (("input_decks/*/deck.*", "tests/data/cases/*/*.yaml", "tests/data/cases/*/*.xml"),
                      ("tests/decks/bad/*.xml", "tests/decks/bad/*.yaml")):
-        paths = [path for pattern in patterns for path in sorted(SOURCE.glob(pattern)) if path.name != "study.yaml"]
+        paths = [path for pattern in patterns for path in sorted(SOURCE.glob(pattern)) if path.name not in ("study.yaml", "fit.yaml")]
         found.append([(path.read_text(errors="surrogateescape"), path.suffix, path.parent) for path in paths])
     return found
 

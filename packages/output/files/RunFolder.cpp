@@ -86,8 +86,8 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
 }  // namespace
 
 std::vector<std::string> run_files(bool pictures, bool report) {
-  std::vector<std::string> names{"deck.xml",          "history.csv",    "log.txt",
-                                 "particles.e",       "grid.e",         "checkpoint.h5",
+  std::vector<std::string> names{"deck.xml",          "history.csv",     "log.txt",
+                                 "particles.e",       "grid.e",          "checkpoint.h5",
                                  "checkpoint.h5.new", "history.csv.new", "sensitivity.csv"};
   if (report) names.insert(names.end(), {"report.html", "report.html.new"});
   if (pictures)

@@ -408,10 +408,10 @@ TEST(GrowingVesselDeck, GrowsToTwiceItsVolume) {
 
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
-  // tests/verification/paper_study.
-  std::vector<std::string> tested{"04_simple_shear",  "06_resolution_study", "09_tissue_laws",
-                                  "10_ramp_and_hold", "11_fiber_gel",        "12_contracting_cell",
-                                  "13_growing_vessel"};
+  // tests/verification/paper_study, 14_fit_vessel_modulus by tests/verification/fit.
+  std::vector<std::string> tested{
+      "04_simple_shear", "06_resolution_study", "09_tissue_laws",    "10_ramp_and_hold",
+      "11_fiber_gel",    "12_contracting_cell", "13_growing_vessel", "14_fit_vessel_modulus"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// The search of a fit, on residuals whose least squares are known.
+/// V-FIT-4: The search of a fit, on residuals whose least squares are known.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// Tables of measured forces: units, errors, and what is wrong with them.
+/// V-FIT-4: Tables of measured forces: units, errors, and what is wrong with them.
 
 #include <gtest/gtest.h>
 

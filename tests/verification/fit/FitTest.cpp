@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// `stroma fit` as a user runs it (V-FIT-1 to V-FIT-3): it finds the number by which a force was
+/// `stroma fit` as a user runs it (V-FIT-1, V-FIT-2, V-FIT-4): it finds the number by which a force was
 /// made, its derivatives are those of the runs, and wrong decks run nothing.
 
 #include <gtest/gtest.h>
@@ -143,6 +143,18 @@ TEST(Fit, FindsTheModulusOfTheVessels) { expect_that_it_finds_the_vessels(1, "",
 TEST(Fit, FindsItOnTwoRanks) { expect_that_it_finds_the_vessels(2, "", 9); }
 TEST(Fit, FindsItByDifferences) {
   expect_that_it_finds_the_vessels(1, "  Gradient: Differences\n", 9);
+}
+
+/// Its force was made with 1041.6 Pa, and 1 % of noise.
+TEST(Fit, ExampleTellsTheModulus) {
+  const TemporaryFolder folder;
+  const fs::path deck =
+      fs::path(STROMA_SOURCE_DIR) / "input_decks" / "14_fit_vessel_modulus" / "fit.yaml";
+  const Outcome outcome = run_stroma(folder.path(), "fit " + quoted(deck) + " -o fit");
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_output << outcome.standard_error;
+  EXPECT_NEAR(estimate_of(folder, "fit", 2), 1024.09, 0.05);
+  EXPECT_NEAR(estimate_of(folder, "fit", 4), 962.93, 0.1);
+  EXPECT_NEAR(estimate_of(folder, "fit", 5), 1089.14, 0.1);
 }
 
 /// dR/dp of sensitivity.csv against central differences of runs, whose error h^2 is extrapolated away.
