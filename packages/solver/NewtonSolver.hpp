@@ -67,6 +67,9 @@ class NewtonSolver {
   /// Solves K(u) x = b at the components that are not prescribed, with the preconditioner that
   /// Newton's method has; x is 0 at the others, where b does not count. Refined by the tangent's
   /// product, which knows nothing of the rounding with which a stencil is stored. Collective.
+  /// \param u          displacement at which the tangent is taken [um]
+  /// \param b          right-hand side [pN]
+  /// \param x          solution [um]
   /// \param tolerance  ||K x - b|| / ||b||
   /// \throws base::StepRejected when the tangent is indefinite, or the tolerance is not reached
   void solve_tangent(const grid::Vector& u, const grid::Vector& b, grid::Vector& x,

@@ -15,6 +15,7 @@
 #include "study/StudyReport.hpp"
 #include "study/StudySizes.hpp"
 #include "study/StudySummary.hpp"
+#include "study/Uncertainty.hpp"
 
 namespace stroma {
 namespace {
@@ -122,7 +123,10 @@ void study_command(const base::Communicator& communicator, const std::string& st
   const auto records = force_records(plan, results);
   const ComparisonTable comparison = compare(plan.study, plan.members, records);
   log.line("");
-  for (const std::string& line : study_summary(plan, records, comparison)) log.line(line);
+  if (plan.study.parameters.uncertainty)
+    tell_uncertainty(communicator, plan, results, folder.folder(), log);
+  else
+    for (const std::string& line : study_summary(plan, records, comparison)) log.line(line);
   log.line("");
   for (const std::string& line : size_summary(groups)) log.line(line);
   draw_study(communicator, plan, results, groups, folder.folder(), log);

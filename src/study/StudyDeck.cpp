@@ -11,6 +11,7 @@
 #include "stroma/deck/Findings.hpp"
 #include "stroma/deck/Nearest.hpp"
 #include "study/StudyMembers.hpp"
+#include "study/Uncertainty.hpp"
 
 namespace stroma {
 namespace {
@@ -313,6 +314,7 @@ deck::Section<StudyParameters> study_section() {
                                   "Adds the column gain: a member's force at full load, divided by "
                                   "that of its reference, less 1."),
                   &StudyParameters::gain);
+  section.section(uncertainty_section(), &StudyParameters::uncertainty);
   section.section(plot, &StudyParameters::plot);
   return section;
 }
@@ -334,8 +336,14 @@ Study read_study(const std::string& path) {
     deck::Findings inside = findings.inside("Vary", vary);
     read_lists(*vary, variations, inside);
   }
+  if (parameters.uncertainty) {
+    if (cases != nullptr || vary != nullptr)
+      findings.add("Uncertainty", "draws stand alone; admissible: neither Cases nor Vary");
+    variations.push_back(draws_of(*parameters.uncertainty));
+    parameters.plot.force_against_strain = false;  // bands tell more than a hundred curves
+  }
   if (variations.empty() && findings.empty())
-    findings.add("", "nothing is varied; give Cases, or Vary, or both");
+    findings.add("", "nothing is varied; give Cases, or Vary, or both; or Uncertainty");
   check_variations(variations, case_count, findings);
   findings.throw_if_any();  // what refers to the variations makes sense only now
 

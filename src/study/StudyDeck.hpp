@@ -13,6 +13,7 @@
 
 #include "stroma/deck/Document.hpp"
 #include "stroma/deck/Section.hpp"
+#include "study/Draws.hpp"
 
 namespace stroma {
 
@@ -35,6 +36,7 @@ struct StudyParameters {
   Teuchos::RCP<Teuchos::ParameterList> cases, vary;
   std::vector<std::string> also_tabulate;
   std::optional<PairingParameters> compare, gain;
+  std::optional<UncertaintyParameters> uncertainty;
   StudyPlotParameters plot;
 };
 
@@ -69,7 +71,7 @@ struct Pairing {
 struct Study {
   deck::Document document;
   StudyParameters parameters;
-  std::vector<Variation> variations;  ///< Cases in the order of the deck, then Vary
+  std::vector<Variation> variations;  ///< Cases in the order of the deck, then Vary; or draws alone
   std::optional<Pairing> compare, gain;
   std::vector<std::size_t> von_mises_members;  ///< indices into members_of(variations)
 };

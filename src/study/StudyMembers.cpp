@@ -23,10 +23,11 @@ std::string folder_name(const std::vector<std::string>& labels) {
 }
 
 bool is_reserved(const std::string& folder) {
-  static const std::set<std::string> names{"pictures",         "study.csv",
-                                           "convergence.csv",  "log.txt",
-                                           "force_strain.png", "force_element_size.png",
-                                           "von_mises.png",    "report.html"};
+  static const std::set<std::string> names{
+      "pictures",         "study.csv",        "convergence.csv",
+      "log.txt",          "force_strain.png", "force_element_size.png",
+      "von_mises.png",    "draws.csv",        "bands.csv",
+      "correlations.csv", "force_band.png",   "report.html"};
   return names.count(folder) > 0;
 }
 

@@ -72,12 +72,31 @@ std::string apart_from_element_size(const Deck& deck) {
   return xml(*list);
 }
 
-MemberFacts facts_of(const Deck& deck, const std::array<double, 3>& length) {
+MemberFacts facts_of(const Deck& deck, const VoxelLattice& image) {
+  std::array<double, 3> length{};
+  for (std::size_t d = 0; d < 3; ++d)
+    length[d] = static_cast<double>(image.size[d]) * image.voxel_size[d];
   MemberFacts facts;
   facts.materials = names(deck.parameters.materials.materials);
   facts.element_size = mechanics::make_grid(deck.parameters.grid, length).spacing;
   facts.moving = moving_supports(deck.parameters, length);
+  facts.image = image;
   return facts;
+}
+
+/// The image as the deck reads it, but for how it is segmented: what its size depends on.
+std::string image_apart_from_segmentation(const Deck& deck) {
+  Teuchos::ParameterList image = as_run(deck)->sublist("Image");
+  image.remove("Segmentation", false);
+  return xml(image);
+}
+
+VoxelLattice lattice_of(const Deck& deck, const voxels::LabelVolume& labels) {
+  VoxelLattice lattice{labels.size, labels.voxel_size, {}};
+  if (const auto& region = deck.parameters.image.region)
+    for (std::size_t d = 0; d < 3; ++d)
+      lattice.origin[d] = static_cast<double>((*region)[d]) * labels.voxel_size[d];
+  return lattice;
 }
 
 /// Members with their decks; all mistakes that show in the decks alone.
@@ -157,7 +176,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
   });
 
   MemberMistakes mistakes;
-  std::map<std::string, std::array<double, 3>> box_of_image;
+  std::map<std::string, VoxelLattice> lattices;
   for (std::size_t m = 0; m < plan->members.size(); ++m) {
     const Deck& deck = plan->decks[m];
     int finished = communicator.is_root() && is_finished(plan->folders[m], deck) ? 1 : 0;
@@ -170,14 +189,10 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
         output::refuse_foreign_files(communicator, plan->folders[m], run_files(deck),
                                      input_files(deck));
       }
-      const std::string image = xml(as_run(deck)->sublist("Image"));
-      if (box_of_image.count(image) == 0) {
-        const voxels::LabelVolume labels = read_image(communicator, deck).labels;
-        auto& box = box_of_image[image];
-        for (std::size_t d = 0; d < 3; ++d)
-          box[d] = static_cast<double>(labels.size[d]) * labels.voxel_size[d];
-      }
-      plan->facts.push_back(facts_of(deck, box_of_image[image]));
+      const std::string image = image_apart_from_segmentation(deck);
+      if (lattices.count(image) == 0)
+        lattices[image] = lattice_of(deck, read_image(communicator, deck).labels);
+      plan->facts.push_back(facts_of(deck, lattices[image]));
     } catch (const base::InputError& error) {
       mistakes.add(plan->members[m].name, in_terms_of("the study", located(deck, error).what()));
     }

@@ -12,6 +12,7 @@
 #include "stroma/output/files/HistoryTable.hpp"
 #include "stroma/output/pictures/Pictures.hpp"
 #include "study/Richardson.hpp"
+#include "study/StressBands.hpp"
 #include "study/StudyComparison.hpp"
 #include "study/StudyMembers.hpp"
 
@@ -30,6 +31,7 @@ struct MemberFacts {
   std::vector<output::MovingSupport> moving;
   std::vector<std::string> materials;
   std::array<double, 3> element_size{};  ///< [um]
+  VoxelLattice image;
 };
 
 /// Force of a support along its displacement [pN] at each row of the history.

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
@@ -38,7 +39,9 @@ bool write_page(TIFF* file, const voxels::Volume<T>& volume, std::int64_t index,
                 const std::vector<T>& plane) {
   TIFFSetField(file, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(volume.size[0]));
   TIFFSetField(file, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(volume.size[1]));
-  TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8);
+  TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, static_cast<int>(8 * sizeof(T)));
+  TIFFSetField(file, TIFFTAG_SAMPLEFORMAT,
+               std::is_floating_point_v<T> ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
   TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
   TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   TIFFSetField(file, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
@@ -50,7 +53,7 @@ bool write_page(TIFF* file, const voxels::Volume<T>& volume, std::int64_t index,
   if (index == 0)
     TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION,
                  imagej_description(volume.size[2], volume.voxel_size[2]).c_str());
-  const auto bytes = static_cast<tmsize_t>(plane.size());
+  const auto bytes = static_cast<tmsize_t>(plane.size() * sizeof(T));
   return TIFFWriteEncodedStrip(file, 0, const_cast<T*>(plane.data()), bytes) == bytes &&
          TIFFWriteDirectory(file) == 1;
 }
@@ -92,17 +95,19 @@ class Draft {
 
 }  // namespace
 
+template <class T>
 void write_tiff(const base::Communicator& communicator, const std::string& path,
-                const voxels::Volume<std::uint8_t>& volume) {
+                const voxels::Volume<T>& volume) {
   const TiffMessages messages;
   std::optional<Draft> draft;
   base::collectively(communicator, [&] {
-    if (communicator.is_root()) draft.emplace(path, static_cast<double>(volume.voxels()) > 4.0e9);
+    if (communicator.is_root())
+      draft.emplace(path, static_cast<double>(volume.voxels()) * sizeof(T) > 4.0e9);
   });
   bool is_written = true;
   for (std::int64_t k = 0; k < volume.size[2]; ++k) {
     voxels::Box plane{{0, 0, k}, {volume.size[0], volume.size[1], communicator.is_root() ? 1 : 0}};
-    const std::vector<std::uint8_t> values = voxels::extract(communicator, volume, plane);
+    const std::vector<T> values = voxels::extract(communicator, volume, plane);
     if (communicator.is_root() && is_written)
       is_written = write_page(draft->file(), volume, k, values);
   }
@@ -112,6 +117,11 @@ void write_tiff(const base::Communicator& communicator, const std::string& path,
     draft->finish();
   });
 }
+
+template void write_tiff(const base::Communicator&, const std::string&,
+                         const voxels::Volume<std::uint8_t>&);
+template void write_tiff(const base::Communicator&, const std::string&,
+                         const voxels::Volume<float>&);
 
 bool is_written_by_stroma(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return false;

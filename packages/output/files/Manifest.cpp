@@ -101,9 +101,10 @@ bool Manifest::begins_as_written(const std::string& file_path) {
   if (ending == ".xml") return is("<!-- The deck as it was run");
   if (ending == ".csv")
     return is("step,load,") || is("member,") || is("series,") || is("run,") || is("parameter,") ||
-           is("measurement,");
+           is("measurement,") || is("load,") || is("input,");
   if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
   if (ending == ".png") return is("\x89PNG");
+  if (ending == ".tif") return is("II") || is("MM");
   if (ending == ".gp") return is("# Draws ../");
   return ending == ".dat" || ending == ".raw" || is("\x89HDF") || is("CDF");
 }

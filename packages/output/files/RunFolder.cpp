@@ -98,7 +98,9 @@ std::vector<std::string> run_files(bool pictures, bool report) {
 std::vector<std::string> study_files() {
   std::vector<std::string> names{"study.csv", "convergence.csv", "log.txt", "report.html",
                                  "report.html.new"};
-  for (const char* picture : {"force_strain", "force_element_size", "von_mises"})
+  names.insert(names.end(), {"draws.csv", "bands.csv", "correlations.csv", "von_mises_05.tif",
+                             "von_mises_50.tif", "von_mises_95.tif"});
+  for (const char* picture : {"force_strain", "force_element_size", "von_mises", "force_band"})
     add_picture(names, picture);
   return names;
 }

@@ -122,4 +122,40 @@ std::string draw_force_element_size(const base::Communicator& communicator,
   return draw_picture(communicator, folder, name, data, "dat", script + "\n");
 }
 
+std::string draw_force_band(const base::Communicator& communicator, const std::string& folder,
+                            const std::string& title, const std::string& support,
+                            const ForceBand& band) {
+  std::string data = "# " + band.abscissa + "\t5 %\tmedian\t95 %\tmiddle\tfiner [pN]\n";
+  const auto at = [](const std::vector<double>& values, std::size_t s) {
+    return s < values.size() ? values[s] : std::nan("");
+  };
+  for (std::size_t s = 0; s < band.stretch.size(); ++s)
+    data += format("%.10g\t%.10g\t%.10g\t%.10g\t%.10g\t%.10g\n", band.stretch[s], band.low[s],
+                   band.median[s], band.high[s], at(band.middle, s), at(band.finer, s));
+  const ForceUnit unit = force_unit(largest_of(0.0, band.high));
+  std::string script = gnuplot_head(
+      "force_band", 1000, height_with_key(4),
+      title + "\nforce of \"" + support + "\": 5 to 95 % of the draws, and their median");
+  script += format("set xlabel '%s'\nset ylabel 'force (%s)'\n", band.abscissa.c_str(), unit.name);
+  script += std::string(key_below) + grid_lines + "set offsets 0, 0, graph 0.05, 0\n";
+  const char* const file = "'force_band.dat'";
+  script += format(
+      "plot %s using 1:($2/%g):($4/%g) with filledcurves fc rgb '%s' fs transparent "
+      "solid 0.3 noborder title '5 to 95 %%'",
+      file, unit.size, unit.size, line_colour(0));
+  script += format(", \\\n     %s using 1:($3/%g) with lines lw 2 lc rgb '%s' title 'median'", file,
+                   unit.size, line_colour(0));
+  if (!band.middle.empty())
+    script += format(
+        ", \\\n     %s using 1:($5/%g) with lines lw 2 dt 2 lc rgb '%s' title "
+        "'all inputs at their medians'",
+        file, unit.size, line_colour(1));
+  if (!band.finer.empty())
+    script += format(
+        ", \\\n     %s using 1:($6/%g) with lines lw 2 dt 3 lc rgb '%s' title "
+        "'the same on finer elements'",
+        file, unit.size, line_colour(2));
+  return draw_picture(communicator, folder, "force_band", data, "dat", script + "\n");
+}
+
 }  // namespace stroma::output

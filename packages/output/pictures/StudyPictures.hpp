@@ -38,6 +38,21 @@ struct SizeSeries {
   std::string undefined_because;  ///< why there is no fit
 };
 
+/// What 5, 50 and 95 % of a study's draws stay below, at each of some loads.
+struct ForceBand {
+  std::string abscissa;                   ///< "strain (%)"
+  std::vector<double> stretch;            ///< in its unit
+  std::vector<double> low, median, high;  ///< [pN]
+  std::vector<double> middle,
+      finer;  ///< of the runs with all inputs at their medians; may be empty
+};
+
+/// force_band.png: the band of the draws, and the runs in the middle of the inputs on both grids.
+/// Collective; what is drawn is rank 0's.
+std::string draw_force_band(const base::Communicator& communicator, const std::string& folder,
+                            const std::string& title, const std::string& support,
+                            const ForceBand& band);
+
 /// force_strain.png: all members in one picture, told apart by curve_styles(), with the legend
 /// below. Collective; what is drawn is rank 0's.
 /// \param communicator  rank 0 of it draws
