@@ -48,9 +48,7 @@ struct ArrudaBoyce : OfInvariants<ArrudaBoyce> {
     }
     return sum * x + of_volume;
   }
-  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3& H) const {
-    return slope_at(3.0 + isochoric_first_invariant_minus_3(H));
-  }
+  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(double x) const { return slope_at(3.0 + x); }
 
  private:
   KOKKOS_INLINE_FUNCTION static double coefficient(int i) {

@@ -75,7 +75,7 @@ struct HolzapfelGasserOgden : Uncoupled {
     const IsochoricLeftCauchyGreen bbar(H, log_j);
     Tensor3 tau = kirchhoff_stress_of_invariants({0.5 * c, 0.0, 0.0}, bbar, volume);
     const Tensor3 dev_b = bbar.deviator();
-    const double x = isochoric_first_invariant_minus_3(H);
+    const double x = bbar.first_invariant_minus_3(H, log_j);
     for (int f = 0; f < families; ++f) {
       const Family family(*this, f, H, log_j, x);
       if (family.e > 0.0) tau = tau + (2.0 * family.slope) * structure(family, dev_b);
@@ -90,7 +90,7 @@ struct HolzapfelGasserOgden : Uncoupled {
     const IsochoricLeftCauchyGreen bbar(H, log_j);
     FullTangent result = tangent_of_invariants({0.5 * c, 0.0, 0.0}, bbar, volume);
     const Tensor3 dev_b = bbar.deviator();
-    const double x = isochoric_first_invariant_minus_3(H);
+    const double x = bbar.first_invariant_minus_3(H, log_j);
     for (int f = 0; f < families; ++f) {
       const Family family(*this, f, H, log_j, x);
       if (!(family.e > 0.0)) continue;

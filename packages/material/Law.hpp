@@ -172,12 +172,19 @@ KOKKOS_INLINE_FUNCTION typename Law::Tangent tangent(const Law& law, const Tenso
 ///     e tr(b - I) + H:H - 2 II - 2 III + 2 (j - ln J) + 3 (e - x),
 ///
 /// with j = J - 1, x = -2/3 ln J, e = exp(x) - 1, II and III the invariants of H.
+///
+/// \param b_minus_identity,x,e  of H, for one who has them
+KOKKOS_INLINE_FUNCTION double isochoric_first_invariant_minus_3(const Tensor3& H,
+                                                                const Tensor3& b_minus_identity,
+                                                                double x, double e) {
+  return e * tensor::trace(b_minus_identity) + tensor::contract(H, H) -
+         2.0 * tensor::second_invariant(H) - 2.0 * tensor::det(H) +
+         2.0 * tensor::x_minus_log1p(tensor::det_minus_one(H)) + 3.0 * tensor::expm1_minus_x(x);
+}
 KOKKOS_INLINE_FUNCTION double isochoric_first_invariant_minus_3(const Tensor3& H) {
-  const double j = tensor::det_minus_one(H);
-  const double x = -2.0 / 3.0 * log1p(j);
-  return expm1(x) * tensor::trace(tensor::left_cauchy_green_minus_identity(H)) +
-         tensor::contract(H, H) - 2.0 * tensor::second_invariant(H) - 2.0 * tensor::det(H) +
-         2.0 * tensor::x_minus_log1p(j) + 3.0 * tensor::expm1_minus_x(x);
+  const double x = -2.0 / 3.0 * log_jacobian(H);
+  return isochoric_first_invariant_minus_3(H, tensor::left_cauchy_green_minus_identity(H), x,
+                                           expm1(x));
 }
 
 /// Ibar2 - 3 = J^(-4/3) ((tr b)^2 - tr b^2) / 2 - 3 [-], of second order in H and accurate to

@@ -35,7 +35,7 @@ struct MooneyRivlin : OfInvariants<MooneyRivlin> {
     return c1 * isochoric_first_invariant_minus_3(H) + c2 * isochoric_second_invariant_minus_3(H) +
            of_volume;
   }
-  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3&) const { return {c1, 0.0, c2}; }
+  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(double) const { return {c1, 0.0, c2}; }
 };
 
 }  // namespace stroma::material

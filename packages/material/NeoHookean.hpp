@@ -32,13 +32,13 @@ struct NeoHookean {
 
   using Tangent = IsotropicTangent;
 
-  KOKKOS_INLINE_FUNCTION SmallStrainModuli small_strain() const {
+  KOKKOS_FORCEINLINE_FUNCTION SmallStrainModuli small_strain() const {
     return {shear_modulus, bulk_modulus};
   }
-  KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
+  KOKKOS_FORCEINLINE_FUNCTION double energy_of_volume(double log_j) const {
     return material::energy_of_volume(volumetric_energy, bulk_modulus, log_j);
   }
-  KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
+  KOKKOS_FORCEINLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
     return material::stress_of_volume(volumetric_energy, bulk_modulus, log_j);
   }
 
@@ -58,8 +58,8 @@ struct NeoHookean {
   /// c = 2 m (I4 - 1/3 I x I) - 2/3 (s x I + I x s) + M I x I - 2 p I4,
   ///
   /// with s = dev tau, m = mu/3 J^(-2/3) tr b: vol = M - 2/3 m, sym = m - p.
-  KOKKOS_INLINE_FUNCTION IsotropicTangent tangent(const Tensor3& H, double log_j,
-                                                  const VolumetricStress& volume) const {
+  KOKKOS_FORCEINLINE_FUNCTION IsotropicTangent tangent(const Tensor3& H, double log_j,
+                                                       const VolumetricStress& volume) const {
     const double factor = shear_modulus * exp(-2.0 / 3.0 * log_j);
     const Tensor3 b_minus_identity = tensor::left_cauchy_green_minus_identity(H);
     IsotropicTangent t;

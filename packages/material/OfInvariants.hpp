@@ -15,10 +15,10 @@ struct Uncoupled {
   double bulk_modulus;  ///< K [Pa], > 0
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
 
-  KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
+  KOKKOS_FORCEINLINE_FUNCTION double energy_of_volume(double log_j) const {
     return material::energy_of_volume(volumetric_energy, bulk_modulus, log_j);
   }
-  KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
+  KOKKOS_FORCEINLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
     return material::stress_of_volume(volumetric_energy, bulk_modulus, log_j);
   }
   template <class Parameters>
@@ -37,13 +37,17 @@ struct InvariantSlopes {
 
 /// bbar by e = b - I, which is small where the strain is.
 struct IsochoricLeftCauchyGreen {
-  double factor;  ///< J^(-2/3)
+  double growth;  ///< J^(-2/3) - 1
   Tensor3 e;
+  double factor = 1.0 + growth;
 
   KOKKOS_INLINE_FUNCTION IsochoricLeftCauchyGreen(const Tensor3& H, double log_j)
-      : factor(exp(-2.0 / 3.0 * log_j)), e(tensor::left_cauchy_green_minus_identity(H)) {}
-  KOKKOS_INLINE_FUNCTION Tensor3 value() const { return factor * (tensor::identity() + e); }
-  KOKKOS_INLINE_FUNCTION Tensor3 deviator() const { return factor * tensor::deviator(e); }
+      : growth(expm1(-2.0 / 3.0 * log_j)), e(tensor::left_cauchy_green_minus_identity(H)) {}
+  KOKKOS_INLINE_FUNCTION double first_invariant_minus_3(const Tensor3& H, double log_j) const {
+    return isochoric_first_invariant_minus_3(H, e, -2.0 / 3.0 * log_j, growth);
+  }
+  KOKKOS_FORCEINLINE_FUNCTION Tensor3 value() const { return factor * (tensor::identity() + e); }
+  KOKKOS_FORCEINLINE_FUNCTION Tensor3 deviator() const { return factor * tensor::deviator(e); }
 };
 
 /// tau = 2 f' dev(bbar) + 2 c dev(Ibar1 bbar - bbar^2) + p I [Pa]; with b = I + e,
@@ -69,9 +73,9 @@ KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress_of_invariants(const InvariantSlo
 ///     P : (b (.) b) : P = b (.) b - 1/3 (b^2 x I + I x b^2) + 1/9 tr(b^2) I x I.
 ///
 /// Source: Holzapfel (2000), section 6.6.
-KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& slope,
-                                                         const IsochoricLeftCauchyGreen& bbar,
-                                                         const VolumetricStress& volume) {
+KOKKOS_FORCEINLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& slope,
+                                                              const IsochoricLeftCauchyGreen& bbar,
+                                                              const VolumetricStress& volume) {
   const Tensor3 b = bbar.value();
   const Tensor3 b2 = b * b;
   const double i1 = tensor::trace(b), tr_b2 = tensor::trace(b2);
@@ -88,23 +92,26 @@ KOKKOS_INLINE_FUNCTION FullTangent tangent_of_invariants(const InvariantSlopes& 
 }
 
 /// Stress and tangent of a law `Law` with such an energy, which gives energy(), small_strain() and
-/// its slopes(H).
+/// its slopes(x) at x = Ibar1 - 3.
 template <class Law>
 struct OfInvariants : Uncoupled {  // NOLINT(bugprone-crtp-constructor-accessibility): aggregates
   using Tangent = FullTangent;
 
   KOKKOS_INLINE_FUNCTION Tensor3 kirchhoff_stress(const Tensor3& H, double log_j,
                                                   const VolumetricStress& volume) const {
-    return kirchhoff_stress_of_invariants(slopes_at(H), {H, log_j}, volume);
+    const IsochoricLeftCauchyGreen bbar(H, log_j);
+    return kirchhoff_stress_of_invariants(slopes_at(H, log_j, bbar), bbar, volume);
   }
-  KOKKOS_INLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
-                                             const VolumetricStress& volume) const {
-    return tangent_of_invariants(slopes_at(H), {H, log_j}, volume);
+  KOKKOS_FORCEINLINE_FUNCTION FullTangent tangent(const Tensor3& H, double log_j,
+                                                  const VolumetricStress& volume) const {
+    const IsochoricLeftCauchyGreen bbar(H, log_j);
+    return tangent_of_invariants(slopes_at(H, log_j, bbar), bbar, volume);
   }
 
  private:
-  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes_at(const Tensor3& H) const {
-    return static_cast<const Law&>(*this).slopes(H);
+  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes_at(const Tensor3& H, double log_j,
+                                                   const IsochoricLeftCauchyGreen& bbar) const {
+    return static_cast<const Law&>(*this).slopes(bbar.first_invariant_minus_3(H, log_j));
   }
 };
 

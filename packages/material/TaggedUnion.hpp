@@ -51,12 +51,11 @@ class TaggedUnion {
   template <class Kind, class = std::enable_if_t<(std::is_same_v<Kind, Kinds> || ...)>>
   TaggedUnion(const Kind& value) : value_(value), which_(index_of<Kind>()) {}
 
-  /// f(value) of the kind that it is; f answers alike for all.
+  /// f(value) of the kind that it is; f answers alike for all. The answer is made in its place.
   template <class F>
   KOKKOS_INLINE_FUNCTION auto visit(const F& f) const {
-    std::common_type_t<decltype(f(std::declval<const Kinds&>()))...> result{};
-    (void)((which_ == index_of<Kinds>() ? (result = f(as<Kinds>()), true) : false) || ...);
-    return result;
+    return visit_from<std::common_type_t<decltype(f(std::declval<const Kinds&>()))...>, Kinds...>(
+        f);
   }
   template <class Kind>
   bool is() const {
@@ -75,6 +74,14 @@ class TaggedUnion {
   }
 
  private:
+  /// f(value), which is of the first kind or one of the rest.
+  template <class Result, class First, class... Rest, class F>
+  KOKKOS_INLINE_FUNCTION Result visit_from(const F& f) const {
+    if constexpr (sizeof...(Rest) > 0) {
+      if (which_ != index_of<First>()) return visit_from<Result, Rest...>(f);
+    }
+    return f(as<First>());
+  }
   /// Its place among the kinds.
   template <class Kind>
   KOKKOS_INLINE_FUNCTION static constexpr int index_of() {

@@ -15,10 +15,10 @@ using tensor::Tensor3;
 struct Tensor4 {
   double value[3][3][3][3];
 
-  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j, int k, int l) {
+  KOKKOS_FORCEINLINE_FUNCTION double& operator()(int i, int j, int k, int l) {
     return value[i][j][k][l];
   }
-  KOKKOS_INLINE_FUNCTION double operator()(int i, int j, int k, int l) const {
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i, int j, int k, int l) const {
     return value[i][j][k][l];
   }
 };
@@ -34,12 +34,12 @@ struct IsotropicTangent {
   double symmetric;   ///< sym
 
   /// That of a stress which changes with the volume alone: a_ijkl = modulus d_ij d_kl.
-  KOKKOS_INLINE_FUNCTION static IsotropicTangent of_volume(double modulus) {
+  KOKKOS_FORCEINLINE_FUNCTION static IsotropicTangent of_volume(double modulus) {
     return {{}, {}, modulus, 0.0};
   }
 
   /// a_ijkl in full.
-  KOKKOS_INLINE_FUNCTION Tensor4 in_full() const {
+  KOKKOS_FORCEINLINE_FUNCTION Tensor4 in_full() const {
     Tensor4 a;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
@@ -62,30 +62,32 @@ struct Elasticity {
 
   double value[pairs][padded] = {};  ///< (pair, pair)
 
-  KOKKOS_INLINE_FUNCTION static constexpr int first(int pair) { return pair < 3 ? pair : pair - 3; }
-  KOKKOS_INLINE_FUNCTION static constexpr int second(int pair) {
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int first(int pair) {
+    return pair < 3 ? pair : pair - 3;
+  }
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int second(int pair) {
     return pair < 3 ? pair : pair == 5 ? 0 : pair - 2;
   }
-  KOKKOS_INLINE_FUNCTION static constexpr int pair(int i, int j) {
+  KOKKOS_FORCEINLINE_FUNCTION static constexpr int pair(int i, int j) {
     return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5;
   }
   /// c_ijkl of pair(i, j) and pair(k, l).
-  KOKKOS_INLINE_FUNCTION double operator()(int ij, int kl) const { return value[ij][kl]; }
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int ij, int kl) const { return value[ij][kl]; }
 
   /// f A x A, of a symmetric A.
-  KOKKOS_INLINE_FUNCTION void add_dyad(double f, const Tensor3& A) {
+  KOKKOS_FORCEINLINE_FUNCTION void add_dyad(double f, const Tensor3& A) {
     const Row a(A);
     for (int ij = 0; ij < pairs; ++ij)
       for (int kl = 0; kl < padded; ++kl) value[ij][kl] += f * a[ij] * a[kl];
   }
   /// f (A x B + B x A), of symmetric A and B.
-  KOKKOS_INLINE_FUNCTION void add_dyads(double f, const Tensor3& A, const Tensor3& B) {
+  KOKKOS_FORCEINLINE_FUNCTION void add_dyads(double f, const Tensor3& A, const Tensor3& B) {
     const Row a(A), b(B);
     for (int ij = 0; ij < pairs; ++ij)
       for (int kl = 0; kl < padded; ++kl) value[ij][kl] += f * a[ij] * b[kl] + f * b[ij] * a[kl];
   }
   /// f A (.) A, (A (.) A)_ijkl = (A_ik A_jl + A_il A_jk) / 2, of a symmetric A.
-  KOKKOS_INLINE_FUNCTION void add_square(double f, const Tensor3& A) {
+  KOKKOS_FORCEINLINE_FUNCTION void add_square(double f, const Tensor3& A) {
     double by_first[3][padded] = {},
            by_second[3][padded] = {};  // A_ik and A_il of each pair (k, l)
     for (int i = 0; i < 3; ++i)
@@ -99,7 +101,8 @@ struct Elasticity {
                          by_second[first(ij)][kl] * by_first[second(ij)][kl];
   }
   /// vol I x I + 2 sym I4 - 2/3 (s x I + I x s): IsotropicTangent without its geometric part.
-  KOKKOS_INLINE_FUNCTION void add_isotropic(double volumetric, double symmetric, const Tensor3& s) {
+  KOKKOS_FORCEINLINE_FUNCTION void add_isotropic(double volumetric, double symmetric,
+                                                 const Tensor3& s) {
     const Row b(s);
     constexpr double one[padded] = {1.0, 1.0, 1.0};
     for (int ij = 0; ij < pairs; ++ij)
@@ -108,7 +111,7 @@ struct Elasticity {
             (volumetric * one[ij] - 2.0 / 3.0 * b[ij]) * one[kl] - 2.0 / 3.0 * one[ij] * b[kl];
     for (int ij = 0; ij < pairs; ++ij) value[ij][ij] += ij < 3 ? 2.0 * symmetric : symmetric;
   }
-  KOKKOS_INLINE_FUNCTION void scale(double f) {
+  KOKKOS_FORCEINLINE_FUNCTION void scale(double f) {
     for (auto& row : value)
       for (double& number : row) number *= f;
   }
@@ -118,10 +121,10 @@ struct Elasticity {
   struct Row {
     double number[padded] = {};
 
-    KOKKOS_INLINE_FUNCTION explicit Row(const Tensor3& A) {
+    KOKKOS_FORCEINLINE_FUNCTION explicit Row(const Tensor3& A) {
       for (int ij = 0; ij < pairs; ++ij) number[ij] = A(first(ij), second(ij));
     }
-    KOKKOS_INLINE_FUNCTION double operator[](int ij) const { return number[ij]; }
+    KOKKOS_FORCEINLINE_FUNCTION double operator[](int ij) const { return number[ij]; }
   };
 };
 
@@ -133,15 +136,15 @@ struct FullTangent {
   Elasticity c;  ///< of the Kirchhoff stress, in space
 
   FullTangent() = default;
-  KOKKOS_INLINE_FUNCTION FullTangent(const IsotropicTangent& isotropic) : tau(isotropic.tau) {
+  KOKKOS_FORCEINLINE_FUNCTION FullTangent(const IsotropicTangent& isotropic) : tau(isotropic.tau) {
     c.add_isotropic(isotropic.volumetric, isotropic.symmetric, isotropic.s);
   }
 
-  KOKKOS_INLINE_FUNCTION static FullTangent of_volume(double modulus) {
+  KOKKOS_FORCEINLINE_FUNCTION static FullTangent of_volume(double modulus) {
     return IsotropicTangent::of_volume(modulus);
   }
   /// a_ijkl in full.
-  KOKKOS_INLINE_FUNCTION Tensor4 in_full() const {
+  KOKKOS_FORCEINLINE_FUNCTION Tensor4 in_full() const {
     Tensor4 a;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)

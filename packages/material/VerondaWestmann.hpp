@@ -34,8 +34,8 @@ struct VerondaWestmann : OfInvariants<VerondaWestmann> {
     return c1 * expm1(c2 * isochoric_first_invariant_minus_3(H)) -
            0.5 * c1 * c2 * isochoric_second_invariant_minus_3(H) + of_volume;
   }
-  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3& H) const {
-    const double slope = c1 * c2 * exp(c2 * isochoric_first_invariant_minus_3(H));
+  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(double x) const {
+    const double slope = c1 * c2 * exp(c2 * x);
     return {slope, c2 * slope, -0.5 * c1 * c2};
   }
 };

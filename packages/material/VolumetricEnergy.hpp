@@ -23,16 +23,16 @@ struct VolumetricStress {
 
 /// U [Pa] at x = ln J; the quadratic one is K/4 (exp(2 x) - 1 - 2 x). Accurate to rounding for
 /// small x.
-KOKKOS_INLINE_FUNCTION double energy_of_volume(VolumetricEnergy form, double bulk_modulus,
-                                               double log_j) {
+KOKKOS_FORCEINLINE_FUNCTION double energy_of_volume(VolumetricEnergy form, double bulk_modulus,
+                                                    double log_j) {
   return form == VolumetricEnergy::logarithmic
              ? 0.5 * bulk_modulus * log_j * log_j
              : 0.25 * bulk_modulus * tensor::expm1_minus_x(2.0 * log_j);
 }
 
 /// The first two derivatives of U by ln J [Pa]: K ln J and K, or K/2 (J^2 - 1) and K J^2.
-KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(VolumetricEnergy form, double bulk_modulus,
-                                                         double log_j) {
+KOKKOS_FORCEINLINE_FUNCTION VolumetricStress stress_of_volume(VolumetricEnergy form,
+                                                              double bulk_modulus, double log_j) {
   if (form == VolumetricEnergy::logarithmic) return {bulk_modulus * log_j, bulk_modulus};
   const double growth = expm1(2.0 * log_j);
   return {0.5 * bulk_modulus * growth, bulk_modulus * (1.0 + growth)};

@@ -36,8 +36,7 @@ struct Yeoh : OfInvariants<Yeoh> {
     for (int i = terms - 1; i >= 0; --i) sum = (sum + c[i]) * x;
     return sum + of_volume;
   }
-  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(const Tensor3& H) const {
-    const double x = isochoric_first_invariant_minus_3(H);
+  KOKKOS_INLINE_FUNCTION InvariantSlopes slopes(double x) const {
     InvariantSlopes slope{};
     for (int i = terms; i >= 1; --i) {
       if (i > 1) slope.first_first = slope.first_first * x + i * (i - 1) * c[i - 1];

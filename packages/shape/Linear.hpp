@@ -31,8 +31,8 @@ struct Linear {
   /// \param place     of the particle in its element
   /// \param N         values (a) [-]
   /// \param gradient  gradients (j, a) = dN_a/dx_j [1/um]; a runs fastest
-  KOKKOS_INLINE_FUNCTION static void evaluate(const Place& place, double N[nodes],
-                                              double gradient[3][nodes]) {
+  KOKKOS_FORCEINLINE_FUNCTION static void evaluate(const Place& place, double N[nodes],
+                                                   double gradient[3][nodes]) {
     const auto& xi = place.xi;
     const auto& inverse_h = place.inverse_h;
     const double x[2] = {1.0 - xi[0], xi[0]};

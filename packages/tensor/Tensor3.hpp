@@ -16,40 +16,40 @@ namespace stroma::tensor {
 struct Tensor3 {
   double value[3][3] = {};
 
-  KOKKOS_INLINE_FUNCTION double& operator()(int i, int j) { return value[i][j]; }
-  KOKKOS_INLINE_FUNCTION double operator()(int i, int j) const { return value[i][j]; }
+  KOKKOS_FORCEINLINE_FUNCTION double& operator()(int i, int j) { return value[i][j]; }
+  KOKKOS_FORCEINLINE_FUNCTION double operator()(int i, int j) const { return value[i][j]; }
 };
 
-KOKKOS_INLINE_FUNCTION Tensor3 identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
 /// u x u.
-KOKKOS_INLINE_FUNCTION Tensor3 square_of(const double u[3]) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 square_of(const double u[3]) {
   Tensor3 square;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) square(i, j) = u[i] * u[j];
   return square;
 }
 
-KOKKOS_INLINE_FUNCTION Tensor3 operator+(const Tensor3& a, const Tensor3& b) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 operator+(const Tensor3& a, const Tensor3& b) {
   Tensor3 sum;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) sum(i, j) = a(i, j) + b(i, j);
   return sum;
 }
 
-KOKKOS_INLINE_FUNCTION Tensor3 operator*(double s, const Tensor3& a) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 operator*(double s, const Tensor3& a) {
   Tensor3 scaled;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) scaled(i, j) = s * a(i, j);
   return scaled;
 }
 
-KOKKOS_INLINE_FUNCTION Tensor3 operator-(const Tensor3& a, const Tensor3& b) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 operator-(const Tensor3& a, const Tensor3& b) {
   return a + (-1.0) * b;
 }
 
 /// Product (a b)_ij = a_ik b_kj.
-KOKKOS_INLINE_FUNCTION Tensor3 operator*(const Tensor3& a, const Tensor3& b) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 operator*(const Tensor3& a, const Tensor3& b) {
   Tensor3 product;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -57,14 +57,14 @@ KOKKOS_INLINE_FUNCTION Tensor3 operator*(const Tensor3& a, const Tensor3& b) {
   return product;
 }
 
-KOKKOS_INLINE_FUNCTION Tensor3 transpose(const Tensor3& a) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 transpose(const Tensor3& a) {
   return {{{a(0, 0), a(1, 0), a(2, 0)}, {a(0, 1), a(1, 1), a(2, 1)}, {a(0, 2), a(1, 2), a(2, 2)}}};
 }
 
-KOKKOS_INLINE_FUNCTION double trace(const Tensor3& a) { return a(0, 0) + a(1, 1) + a(2, 2); }
+KOKKOS_FORCEINLINE_FUNCTION double trace(const Tensor3& a) { return a(0, 0) + a(1, 1) + a(2, 2); }
 
 /// a : b = a_ij b_ij.
-KOKKOS_INLINE_FUNCTION double contract(const Tensor3& a, const Tensor3& b) {
+KOKKOS_FORCEINLINE_FUNCTION double contract(const Tensor3& a, const Tensor3& b) {
   double sum = 0.0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) sum += a(i, j) * b(i, j);
@@ -72,7 +72,7 @@ KOKKOS_INLINE_FUNCTION double contract(const Tensor3& a, const Tensor3& b) {
 }
 
 /// Cofactor matrix, cof(a) = det(a) a^-T; row i is the cross product of the other two rows.
-KOKKOS_INLINE_FUNCTION Tensor3 cofactor(const Tensor3& a) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 cofactor(const Tensor3& a) {
   Tensor3 c;
   for (int i = 0; i < 3; ++i) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
@@ -84,31 +84,31 @@ KOKKOS_INLINE_FUNCTION Tensor3 cofactor(const Tensor3& a) {
   return c;
 }
 
-KOKKOS_INLINE_FUNCTION double det(const Tensor3& a) {
+KOKKOS_FORCEINLINE_FUNCTION double det(const Tensor3& a) {
   const Tensor3 c = cofactor(a);
   return a(0, 0) * c(0, 0) + a(0, 1) * c(0, 1) + a(0, 2) * c(0, 2);
 }
 
 /// a^-1; entries are not finite if det a = 0.
-KOKKOS_INLINE_FUNCTION Tensor3 inverse(const Tensor3& a) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 inverse(const Tensor3& a) {
   return (1.0 / det(a)) * transpose(cofactor(a));
 }
 
 /// Second principal invariant II(a) = ((tr a)^2 - tr(a a)) / 2: the sum of the principal minors.
-KOKKOS_INLINE_FUNCTION double second_invariant(const Tensor3& a) { return trace(cofactor(a)); }
+KOKKOS_FORCEINLINE_FUNCTION double second_invariant(const Tensor3& a) { return trace(cofactor(a)); }
 
 /// J - 1 = det(I + H) - 1 = tr H + II(H) + det H, without cancellation for small H.
-KOKKOS_INLINE_FUNCTION double det_minus_one(const Tensor3& H) {
+KOKKOS_FORCEINLINE_FUNCTION double det_minus_one(const Tensor3& H) {
   return trace(H) + second_invariant(H) + det(H);
 }
 
 /// b - I = H + H^T + H H^T for F = I + H, without cancellation for small H.
-KOKKOS_INLINE_FUNCTION Tensor3 left_cauchy_green_minus_identity(const Tensor3& H) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 left_cauchy_green_minus_identity(const Tensor3& H) {
   return H + transpose(H) + H * transpose(H);
 }
 
 /// Deviator a - tr(a)/3 I.
-KOKKOS_INLINE_FUNCTION Tensor3 deviator(const Tensor3& a) {
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 deviator(const Tensor3& a) {
   Tensor3 d = a;
   const double mean = trace(a) / 3.0;
   for (int i = 0; i < 3; ++i) d(i, i) -= mean;
@@ -116,7 +116,7 @@ KOKKOS_INLINE_FUNCTION Tensor3 deviator(const Tensor3& a) {
 }
 
 /// Von Mises stress sqrt(3/2 s : s), s the deviator of a symmetric stress; in the stress's unit.
-KOKKOS_INLINE_FUNCTION double von_mises(const Tensor3& stress) {
+KOKKOS_FORCEINLINE_FUNCTION double von_mises(const Tensor3& stress) {
   const Tensor3 s = deviator(stress);
   return sqrt(1.5 * contract(s, s));
 }

@@ -96,8 +96,8 @@ struct ElementParticles : PointSet<Device> {
   static constexpr int fictitious_points = Shape::nodes;
 
   /// Values of a nodal vector at the nodes of an element, (component, a).
-  KOKKOS_INLINE_FUNCTION void gather(const NodeView& nodal, int i, int j, int k,
-                                     double value[3][Shape::nodes]) const {
+  KOKKOS_FORCEINLINE_FUNCTION void gather(const NodeView& nodal, int i, int j, int k,
+                                          double value[3][Shape::nodes]) const {
     for (int a = 0; a < Shape::nodes; ++a) {
       const int node = node_of(i, j, k, a);
       for (int c = 0; c < 3; ++c) value[c][a] = nodal(node, c);
@@ -105,7 +105,7 @@ struct ElementParticles : PointSet<Device> {
   }
 
   /// Touched-node number of local node a of an element.
-  KOKKOS_INLINE_FUNCTION int node_of(int i, int j, int k, int a) const {
+  KOKKOS_FORCEINLINE_FUNCTION int node_of(int i, int j, int k, int a) const {
     constexpr int w = Shape::width;
     return box.node(i + a % w, j + a / w % w, k + a / (w * w));
   }
@@ -126,8 +126,8 @@ struct ElementParticles : PointSet<Device> {
   /// Calls visit(ParticlePoint) for each particle of element (i, j, k); counts in `bad` those that
   /// the displacement turns inside out (det F <= 0, or not a number).
   template <class Visit>
-  KOKKOS_INLINE_FUNCTION void for_each_particle(int i, int j, int k, std::int64_t& bad,
-                                                const Visit& visit) const {
+  KOKKOS_FORCEINLINE_FUNCTION void for_each_particle(int i, int j, int k, std::int64_t& bad,
+                                                     const Visit& visit) const {
     const int element = box.element(i, j, k);
     const int begin = particles.element_begin(element);
     const int end = particles.element_begin(element + 1);
@@ -154,8 +154,8 @@ struct ElementParticles : PointSet<Device> {
 
   /// The same for the particles and then the fictitious points: all that resists deformation.
   template <class Visit>
-  KOKKOS_INLINE_FUNCTION void for_each_point(int i, int j, int k, std::int64_t& bad,
-                                             const Visit& visit) const {
+  KOKKOS_FORCEINLINE_FUNCTION void for_each_point(int i, int j, int k, std::int64_t& bad,
+                                                  const Visit& visit) const {
     for_each_particle(i, j, k, bad, visit);
     if (fictitious_volume.extent(0) == 0) return;
     const int element = box.element(i, j, k);
@@ -206,7 +206,7 @@ struct ElementParticles : PointSet<Device> {
 
  private:
   /// A place in an element, but for the point's own coordinates and domain.
-  KOKKOS_INLINE_FUNCTION shape::Place place_in(int i, int j, int k) const {
+  KOKKOS_FORCEINLINE_FUNCTION shape::Place place_in(int i, int j, int k) const {
     shape::Place place;
     const int index[3] = {i, j, k};
     for (int d = 0; d < 3; ++d) {
@@ -220,7 +220,7 @@ struct ElementParticles : PointSet<Device> {
   }
 
   /// Puts a particle into its place.
-  KOKKOS_INLINE_FUNCTION void put(int p, int i, int j, int k, shape::Place& place) const {
+  KOKKOS_FORCEINLINE_FUNCTION void put(int p, int i, int j, int k, shape::Place& place) const {
     const int index[3] = {i, j, k};
     for (int d = 0; d < 3; ++d)
       place.xi[d] = (particles.position(p, d) - box.corner[d]) * box.inverse_spacing[d] - index[d];
@@ -238,8 +238,8 @@ struct ElementParticles : PointSet<Device> {
   }
 
   /// Everything about a particle; its place is given but for what put() sets.
-  KOKKOS_INLINE_FUNCTION void set(int p, int i, int j, int k, const double u[3][Shape::nodes],
-                                  shape::Place& place, ParticlePoint<Shape>& point) const {
+  KOKKOS_FORCEINLINE_FUNCTION void set(int p, int i, int j, int k, const double u[3][Shape::nodes],
+                                       shape::Place& place, ParticlePoint<Shape>& point) const {
     point.p = point.like = p;
     point.material = particles.material(p);
     point.volume = particles.volume(p);
@@ -251,7 +251,7 @@ struct ElementParticles : PointSet<Device> {
     point.H = base + G + G * base;
   }
 
-  KOKKOS_INLINE_FUNCTION static Tensor3 displacement_gradient(
+  KOKKOS_FORCEINLINE_FUNCTION static Tensor3 displacement_gradient(
       const double u[3][Shape::nodes], const double gradient[3][Shape::nodes]) {
     Tensor3 G;
     for (int c = 0; c < 3; ++c)
@@ -264,8 +264,9 @@ struct ElementParticles : PointSet<Device> {
   }
 
   /// Values and current gradients of a point; returns f - I there.
-  KOKKOS_INLINE_FUNCTION Tensor3 move(const shape::Place& place, const double u[3][Shape::nodes],
-                                      ParticlePoint<Shape>& point) const {
+  KOKKOS_FORCEINLINE_FUNCTION Tensor3 move(const shape::Place& place,
+                                           const double u[3][Shape::nodes],
+                                           ParticlePoint<Shape>& point) const {
     double base_gradient[3][Shape::nodes];
     Shape::evaluate(place, point.value, base_gradient);
     const Tensor3 G = displacement_gradient(u, base_gradient);

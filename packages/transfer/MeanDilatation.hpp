@@ -106,9 +106,10 @@ KOKKOS_INLINE_FUNCTION material::VolumetricStress share_of(const MeanPressure& m
 /// Calls visit(ParticlePoint, tau) for each point of element (i, j, k), as for_each_point(): the
 /// internal force is sum_p V0 tau grad_x N (6.3).
 template <class Shape, class Law, class Device, class Visit>
-KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device>& elements,
-                                            const Kokkos::View<const Law*, Device>& law, int i,
-                                            int j, int k, std::int64_t& bad, const Visit& visit) {
+KOKKOS_FORCEINLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device>& elements,
+                                                 const Kokkos::View<const Law*, Device>& law, int i,
+                                                 int j, int k, std::int64_t& bad,
+                                                 const Visit& visit) {
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   LawAt<Law, Device> law_at(law, elements);
@@ -127,9 +128,10 @@ KOKKOS_INLINE_FUNCTION void for_each_stress(const ElementParticles<Shape, Device
 /// a whole: its "gradient" is dtheta/dU and its tangent dP/dtheta alone, so that it adds
 /// dP/dtheta dtheta/dU (x) dtheta/dU.
 template <class Shape, class Law, class Device, class Visit>
-KOKKOS_INLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Device>& elements,
-                                             const Kokkos::View<const Law*, Device>& law, int i,
-                                             int j, int k, std::int64_t& bad, const Visit& visit) {
+KOKKOS_FORCEINLINE_FUNCTION void for_each_tangent(const ElementParticles<Shape, Device>& elements,
+                                                  const Kokkos::View<const Law*, Device>& law,
+                                                  int i, int j, int k, std::int64_t& bad,
+                                                  const Visit& visit) {
   const MeanDilatation mean = mean_dilatation(elements, i, j, k);
   const MeanPressure pressure = mean_pressure(elements, law, mean, i, j, k);
   ParticlePoint<Shape> whole = {};

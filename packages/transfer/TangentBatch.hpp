@@ -40,8 +40,8 @@ struct TangentBatch<Shape, Real, material::IsotropicTangent> {
   Real g[size][3][padded], p[size][3][padded], q[size][3][padded], t[size][3][padded];
   Real symmetric[size];
 
-  KOKKOS_INLINE_FUNCTION void add(const ParticlePoint<Shape>& point,
-                                  const material::IsotropicTangent& a) {
+  KOKKOS_FORCEINLINE_FUNCTION void add(const ParticlePoint<Shape>& point,
+                                       const material::IsotropicTangent& a) {
     const int m = count++;
     const auto volume = static_cast<Real>(point.volume);
     const auto vol = static_cast<Real>(a.volumetric), sym = static_cast<Real>(a.symmetric);
@@ -112,8 +112,8 @@ struct TangentBatch<Shape, Real, material::FullTangent> {
   Real t[size][3][padded];     // (point, j, node)
   Real B[size][6][3][padded];  // (point, ij, k, node)
 
-  KOKKOS_INLINE_FUNCTION void add(const ParticlePoint<Shape>& point,
-                                  const material::FullTangent& tangent) {
+  KOKKOS_FORCEINLINE_FUNCTION void add(const ParticlePoint<Shape>& point,
+                                       const material::FullTangent& tangent) {
     using material::Elasticity;
     const int m = count++;
     Real gradient[3][padded];
