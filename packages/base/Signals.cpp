@@ -6,6 +6,7 @@ namespace stroma::base {
 namespace {
 
 volatile std::sig_atomic_t caught = 0;
+int living = 0;
 
 extern "C" void remember(int signal) {
   if (caught == SIGINT && signal == SIGINT) {  // whoever asks twice does not want to wait
@@ -23,7 +24,7 @@ void let_writes_fail() {
 }
 
 StopRequests::StopRequests() {
-  caught = 0;
+  if (living++ == 0) caught = 0;
   struct sigaction action {};
   action.sa_handler = remember;
   action.sa_flags = SA_RESTART;  // what is being written is written to its end
@@ -34,6 +35,7 @@ StopRequests::StopRequests() {
 }
 
 StopRequests::~StopRequests() {
+  --living;
   sigaction(SIGTERM, &term_before_, nullptr);
   sigaction(SIGINT, &int_before_, nullptr);
   sigaction(SIGUSR1, &usr1_before_, nullptr);

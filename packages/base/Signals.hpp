@@ -24,7 +24,7 @@ class Interrupted : public RunError {
 void let_writes_fail();
 
 /// While it lives, SIGTERM, SIGINT and SIGUSR1 (by which batch systems warn) ask for a stop instead of ending the process; a second SIGINT
-/// ends it. One at a time.
+/// ends it. Of several, as a family of runs has one around that of each run, all see the signal.
 class StopRequests {
  public:
   StopRequests();

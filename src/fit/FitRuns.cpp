@@ -110,7 +110,7 @@ FitRun FitRuns::make(const std::vector<double>& values) {
   RunOptions options;
   options.folder = folder;
   if (sensitivity) options.accepted = [&](const AcceptedStep& step) { (*sensitivity)(step); };
-  run.failure = run_member(communicator_, name_of(*plan_, values), *deck, options);
+  run.failure = run_member(communicator_, name_of(*plan_, values), *deck, options, signals_);
   if (run.failure.empty() && !read_back(run)) run.failure = "its files cannot be read: " + folder;
   return run;
 }

@@ -13,6 +13,7 @@
 
 #include "fit/FitPlan.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/base/Signals.hpp"
 
 namespace stroma {
 
@@ -53,6 +54,7 @@ class FitRuns {
   bool read_back(FitRun& run) const;
 
   base::Communicator communicator_;
+  base::StopRequests signals_;
   const FitPlan* plan_;
   std::string folder_;
   base::Log* log_;

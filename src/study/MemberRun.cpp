@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "stroma/base/Error.hpp"
-#include "stroma/base/Signals.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
 
 namespace stroma {
@@ -49,12 +48,15 @@ bool is_finished(const std::string& folder, const Deck& deck) {
 }
 
 std::string run_member(const base::Communicator& communicator, const std::string& name,
-                       const Deck& deck, const RunOptions& options) {
+                       const Deck& deck, const RunOptions& options,
+                       const base::StopRequests& signals) {
   Teuchos::TimeMonitor::zeroOutTimers();  // the member's log tells the times of the member
   base::Log log(communicator, true);
   try {
     run_simulation(communicator, deck, options, log);
     log.finish();
+    const std::string signal = signals.asked(communicator);
+    if (!signal.empty()) throw base::Interrupted("stopped by " + signal + "; it is finished");
     return "";
   } catch (const base::Interrupted& interrupted) {
     throw base::Interrupted(

@@ -9,6 +9,7 @@
 
 #include "run/Deck.hpp"
 #include "run/Simulation.hpp"
+#include "stroma/base/Signals.hpp"
 
 namespace stroma {
 
@@ -23,10 +24,12 @@ bool is_finished(const std::string& folder, const Deck& deck);
 /// Runs a member. Collective.
 /// \param name     of the member, for messages
 /// \param options  its folder, and what else is asked of the run
+/// \param signals  of the family: one that comes when a run is all but done ends the family, too
 /// \return why it failed; empty when it did not
 /// \throws base::Interrupted when a signal ends the family
 std::string run_member(const base::Communicator& communicator, const std::string& name,
-                       const Deck& deck, const RunOptions& options);
+                       const Deck& deck, const RunOptions& options,
+                       const base::StopRequests& signals);
 
 /// What a family lays over its base deck comes as if from --set; its user wrote no such thing.
 /// \param family  "the study"

@@ -80,6 +80,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
     results[m].status = MemberStatus::done;
     read_back(communicator, plan.folders[m], results[m]);
   }
+  const base::StopRequests signals;
   std::vector<std::string> failures;
   std::size_t ran = 0;
   for (std::size_t m = 0; m < count; ++m) {
@@ -93,7 +94,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
     RunOptions options;
     options.folder = plan.folders[m];
     const std::string failure =
-        run_member(communicator, plan.members[m].name, plan.decks[m], options);
+        run_member(communicator, plan.members[m].name, plan.decks[m], options, signals);
     log.require_written();
     results[m].status = failure.empty() ? MemberStatus::done : MemberStatus::failed;
     read_back(communicator, plan.folders[m], results[m]);
