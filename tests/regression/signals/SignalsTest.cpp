@@ -71,7 +71,7 @@ echo status $?
 )");
   EXPECT_EQ(outcome.standard_output, "status 1\n") << content_of(folder / "errors");
   EXPECT_FALSE(fs::exists(folder / "out/Steps_900001"));
-  EXPECT_NE(content_of(folder / "errors").find("run the study again"), std::string::npos);
+  EXPECT_NE(content_of(folder / "errors").find("give the same command again"), std::string::npos);
 }
 
 }  // namespace
