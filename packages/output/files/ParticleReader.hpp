@@ -43,6 +43,7 @@ class ParticleReader {
   /// Calls use(piece) for all particles.
   /// \param step   in the file, from 0
   /// \param names  of the variables wanted; with none, the step is of no meaning
+  /// \param use    is given each piece, in the order of the files
   /// \throws base::RunError
   void for_pieces(std::size_t step, const std::vector<std::string>& names,
                   const std::function<void(const ParticlePiece&)>& use) const;

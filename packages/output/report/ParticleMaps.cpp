@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "stroma/tensor/PrincipalValues.hpp"
@@ -12,21 +11,18 @@
 namespace stroma::output {
 namespace {
 
-/// A field of a map, and how it follows from variables of the file.
+/// A field of a map, and how it follows from a cell's means of variables of the file.
 struct MappedField {
   std::string name, unit;
   std::vector<std::string> variables;
-  std::function<double(const ParticlePiece& piece, std::size_t first, std::size_t p)> value;
+  double (*value)(const double* means);
 };
 
-double as_it_is(const ParticlePiece& piece, std::size_t first, std::size_t p) {
-  return piece.values[first][p];
-}
+double as_it_is(const double* means) { return *means; }
 
 /// Of the components xx yy zz xy yz zx.
-double largest_principal(const ParticlePiece& piece, std::size_t first, std::size_t p) {
-  const auto e = [&](std::size_t component) { return piece.values[first + component][p]; };
-  return tensor::principal_values({{{e(0), e(3), e(5)}, {e(3), e(1), e(4)}, {e(5), e(4), e(2)}}})(
+double largest_principal(const double* e) {
+  return tensor::principal_values({{{e[0], e[3], e[5]}, {e[3], e[1], e[4]}, {e[5], e[4], e[2]}}})(
       0);
 }
 
@@ -100,22 +96,28 @@ ParticleMaps particle_maps(const ParticleReader& particles, std::size_t most_ste
     maps.fields.push_back({field.name, field.unit, {}});
     variables.insert(variables.end(), field.variables.begin(), field.variables.end());
   }
+  std::vector<std::vector<float>> sums(variables.size());
+  std::vector<double> means(variables.size());
   for (const std::size_t step : maps.steps) {
-    for (FieldMap& field : maps.fields) field.values.emplace_back(volume.size(), 0.0f);
+    for (std::vector<float>& sum : sums) sum.assign(volume.size(), 0.0f);
     particles.for_pieces(step, variables, [&](const ParticlePiece& piece) {
       for_cells(maps.lattice, piece, [&](std::size_t p, std::size_t cell) {
-        std::size_t first = 0;
-        for (std::size_t f = 0; f < fields.size(); ++f) {
-          maps.fields[f].values.back()[cell] +=
-              static_cast<float>(fields[f].value(piece, first, p) * piece.volume[p]);
-          first += fields[f].variables.size();
-        }
+        for (std::size_t v = 0; v < variables.size(); ++v)
+          sums[v][cell] += static_cast<float>(piece.values[v][p] * piece.volume[p]);
       });
     });
     for (FieldMap& field : maps.fields)
-      for (std::size_t cell = 0; cell < volume.size(); ++cell)
-        field.values.back()[cell] = volume[cell] > 0.0f ? field.values.back()[cell] / volume[cell]
-                                                        : std::numeric_limits<float>::quiet_NaN();
+      field.values.emplace_back(volume.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t cell = 0; cell < volume.size(); ++cell) {
+      if (!(volume[cell] > 0.0f)) continue;
+      for (std::size_t v = 0; v < variables.size(); ++v)
+        means[v] = static_cast<double>(sums[v][cell]) / static_cast<double>(volume[cell]);
+      const double* first = means.data();
+      for (std::size_t f = 0; f < fields.size(); ++f) {
+        maps.fields[f].values.back()[cell] = static_cast<float>(fields[f].value(first));
+        first += fields[f].variables.size();
+      }
+    }
   }
   return maps;
 }

@@ -29,8 +29,9 @@ struct ParticleMaps {
 };
 
 /// Von Mises stress, largest principal stress and largest principal strain (of Green and Lagrange's
-/// E; where the file has it) of particles, as means by undeformed volume in cells that hold a
-/// particle each, or, lest it be too much, several. For one rank.
+/// E; where the file has it) of particles, in cells that hold a particle each, or, lest it be too
+/// much, several: means by undeformed volume; of the strain, the largest principal value of the
+/// mean. For one rank.
 ///
 /// \param particles   of a run
 /// \param most_steps  where there are more, so many are taken, evenly, the first and the last among them

@@ -32,6 +32,7 @@ nlohmann::json describe(const ParticleMaps& maps, const std::vector<double>& loa
 
 /// Rows of a CSV file for the page: {"text": header and rows, "rows": how many, "of": how many the
 /// file has}.
+/// \param text    of the file
 /// \param most    rows
 /// \param evenly  whether more are thinned out, the last one kept, or the first ones taken
 nlohmann::json table_excerpt(const std::string& text, std::size_t most, bool evenly);

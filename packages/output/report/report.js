@@ -232,7 +232,7 @@ class Maps {
 
   notes() {
     const { maps } = this, notes = [];
-    if (maps.merged.some((n) => n > 1)) notes.push(`Down-sampled, so that this page stays small: a cell of the maps is the mean over ${maps.merged.join(" × ")} particles.`);
+    if (maps.merged.some((n) => n > 1)) notes.push(`Down-sampled, so that this page stays small: a cell of the maps is the mean over ${maps.merged.join(" × ")} particles (of the strain, the largest principal value of the mean).`);
     if (maps.steps.length < maps.steps_in_file) notes.push(`${maps.steps.length} of the ${maps.steps_in_file} steps of particles.e are shown.`);
     if (this.image && this.image.merged.some((n) => n > 1)) notes.push(`The image is down-sampled: means over ${this.image.merged.slice(0, 2).join(" × ")} voxels${this.image.merged[2] > 1 ? ` of every ${this.image.merged[2]}th plane` : ""}.`);
     if (typeof data.image === "string") notes.push(data.image);
