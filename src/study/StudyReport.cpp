@@ -67,6 +67,9 @@ json data_of(const output::RunFiles& files) {
             {"study", output::table_excerpt(table, most_members, false)},
             {"convergence",
              output::table_excerpt(text_of(files.file("convergence.csv")), most_members, false)},
+            {"bands", output::table_excerpt(text_of(files.file("bands.csv")), most_rows, true)},
+            {"correlations",
+             output::table_excerpt(text_of(files.file("correlations.csv")), most_members, false)},
             {"members", json::array()}};
   std::istringstream rows(table);
   std::string row;

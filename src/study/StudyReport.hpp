@@ -12,7 +12,8 @@
 
 namespace stroma {
 
-/// Makes report.html of what a study has left in its folder: study.csv, convergence.csv, log.txt,
+/// Makes report.html of what a study has left in its folder: study.csv, convergence.csv, bands.csv,
+/// correlations.csv, log.txt,
 /// and of each member its deck and history. Says where it is. Collective.
 /// \throws base::InputError when it is no such folder
 /// \throws base::RunError when the report cannot be written

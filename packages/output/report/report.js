@@ -125,7 +125,7 @@ Chart.defaults.maintainAspectRatio = false;
 Chart.defaults.font.family = "system-ui, 'Segoe UI', Roboto, 'Noto Sans', 'DejaVu Sans', sans-serif";
 
 /** A chart of lines of {x, y}. series: {label, points, n (colour), dash, bare (no marks), band: [lower, upper]}. */
-function lineChart(id, description, x, y, series, { low = false, yFromZero = false } = {}) {
+function lineChart(id, description, x, y, series, { low = false, yFromZero = false, legend = series.length > 1 } = {}) {
   const canvas = h("canvas", { id, role: "img", "aria-label": description });
   const figure = h("figure", {}, h("div", { class: "chart" + (low ? " low" : "") }, canvas));
   const make = () => {
@@ -146,7 +146,7 @@ function lineChart(id, description, x, y, series, { low = false, yFromZero = fal
       interaction: { mode: "nearest", axis: "xy", intersect: false },
       scales: { x: axis(x), y: { ...axis(y), beginAtZero: yFromZero } },
       plugins: {
-        legend: { display: series.length > 1, labels: { color: css("--ink"), usePointStyle: true, boxHeight: 7, filter: (item, all) => !all.datasets[item.datasetIndex].isBand } },
+        legend: { display: legend, labels: { color: css("--ink"), usePointStyle: true, boxHeight: 7, filter: (item, all) => !all.datasets[item.datasetIndex].isBand } },
         tooltip: { filter: (item) => !item.dataset.isBand, callbacks: { title: (items) => items.length ? `${x}: ${short(items[0].parsed.x)}` : "", label: (item) => `${item.dataset.label}: ${short(item.parsed.y, 6)}` } } } } });
   };
   charts.push({ make, chart: null });
@@ -585,7 +585,7 @@ function histogramSection() {
     }) : null);
 }
 
-const readable = (text) => (text !== "" && Number.isFinite(Number(text)) ? short(Number(text), 5) : text);
+const readable = (text) => (text !== "" && Number.isFinite(Number(text)) ? short(Number(text), 6) : text);
 
 function wallSection() {
   if (!data.tables["wall_distance.csv"]) return null;
@@ -708,6 +708,21 @@ function convergenceSection(study) {
     htmlTable("Convergence", ["series", "sizes", "finest (µm)", `force there (${unit.name})`, `at size 0 (${unit.name})`, "observed order", "remark"], lines));
 }
 
+/** The force of draws: median, 5 to 95 %, and how inputs and force go together. */
+function uncertaintySection() {
+  const bands = new Table(data.bands), correlations = new Table(data.correlations);
+  if (bands.rows.length === 0) return null;
+  const load = bands.column("load"), unit = forceUnit(Math.max(largest(bands.column("low")), largest(bands.column("high"))));
+  const curve = (name) => xy(load, bands.column(name).map((force) => force / unit.size));
+  const series = [{ label: "median of the draws", n: 0, points: curve("median"), band: [curve("low"), curve("high")] }];
+  if (bands.column("finer").some(Number.isFinite))
+    series.push({ label: "middle of the inputs", n: 1, dash: 1, bare: true, points: curve("middle") }, { label: "the same on a finer grid", n: 2, dash: 2, bare: true, points: curve("finer") });
+  return section("uncertainty", "How sure the force is",
+    lineChart("bands-chart", `Force of the draws against load: median ${short(bands.last("median") / unit.size)} ${unit.name} at the end, 5 to 95 % from ${short(bands.last("low") / unit.size)} to ${short(bands.last("high") / unit.size)}`, "load", `force (${unit.name})`, series),
+    h("p", { class: "note" }, "The band holds 90 % of the draws, from the 5th to the 95th percentile."),
+    correlations.rows.length === 0 ? null : htmlTable("Rank correlations", ["input", "Spearman's rank correlation with the force"], correlations.rows.map((row) => row.map(readable))));
+}
+
 function showStudy(main) {
   const study = new Table(data.study), done = study.texts("status").filter((status) => status === "done").length;
   document.getElementById("subtitle").textContent = "A study: a family of runs";
@@ -717,12 +732,15 @@ function showStudy(main) {
     const forces = drawn.map((member, m) => forceAlong(member.supports[0], histories[m])), unit = forceUnit(Math.max(...forces.map(largest)));
     const xs = drawn.map((member, m) => abscissa(member.supports[0], histories[m], member.has_time));
     const series = drawn.map((member, m) => ({ label: member.folder.replaceAll("__", ", ").replaceAll("_", " "), n: m, dash: Math.floor(m / 7), points: xy(xs[m].values, forces[m].map((f) => f / unit.size)) }));
-    main.append(section("force", `Force against ${xs[0].what}`, lineChart("force-chart", "Force of all members", xs[0].name, `force of ${drawn[0].supports[0].name} (${unit.name})`, series)));
+    main.append(section("force", `Force against ${xs[0].what}`, lineChart("force-chart", "Force of all members", xs[0].name, `force of ${drawn[0].supports[0].name} (${unit.name})`, series, { legend: series.length > 1 && series.length <= 14 }),
+      series.length > 14 ? h("p", { class: "note" }, "Point at a curve to read which member it is.") : null));
   }
+  const uncertainty = uncertaintySection();
+  if (uncertainty) main.append(uncertainty);
   const convergence = convergenceSection(study);
   if (convergence) main.append(convergence);
   const reports = new Set(data.members.filter((member) => member.has_report).map((member) => member.folder));
-  const table = htmlTable("study.csv", study.names, study.rows.map((row) => row.map((field, c) => (c === 0 && reports.has(field) ? h("a", { href: `${encodeURIComponent(field)}/report.html` }, field) : readable(field)))));
+  const table = htmlTable("study.csv", study.names, study.rows.map((row) => row.map((field, c) => (c === 0 && reports.has(field) ? h("a", { href: `${encodeURIComponent(field)}/report.html` }, field) : readable(field)))), { tall: study.rows.length > 20 });
   const note = study.excerptNote();
   main.append(section("members", "Members", table, note ? h("p", { class: "note" }, note) : null, lazyDetails("study.csv, with all digits", () => htmlTable("study.csv, all digits", study.names, study.rows))),
     section("provenance", "Where this comes from", h("p", {}, "Each member's own report has its deck, versions and checksums."), lazyDetails("The log", () => h("pre", { tabindex: "0" }, data.log)),

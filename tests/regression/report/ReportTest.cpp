@@ -93,11 +93,8 @@ TEST(Report, OfAViscousRunIsAgainstTime) {
   EXPECT_EQ(wrong(folder, "run run " + place_of_most(folder / "run/particles.e")), "");
 }
 
-// V-REPORT
-TEST(Report, OfAStudyShowsAllMembersAndTheLimit) {
-  SKIP_WITHOUT_BROWSER();
-  const TemporaryFolder folder;
-  folder.write("base.yaml", R"(Stroma:
+/// A block whose force depends on the size of its elements.
+const char* const block = R"(Stroma:
   Title: A block
   Image:
     Phantom: {Kind: Uniform, Size: [8, 8, 8], "Voxel Size [um]": [1.0, 1.0, 1.0]}
@@ -108,8 +105,21 @@ TEST(Report, OfAStudyShowsAllMembersAndTheLimit) {
     bottom: {Face: y-, Components: xyz}
     top: {Face: y+, Components: xyz, Strain: 0.05}
   Loading: {Steps: 1}
-)");
-  folder.write("study.yaml", R"(Study:
+)";
+
+/// Runs a study of it into the folder out.
+void study_block(const TemporaryFolder& folder, const std::string& study) {
+  folder.write("base.yaml", block);
+  folder.write("study.yaml", study);
+  const Outcome outcome = run_stroma(folder.path(), "study study.yaml -o out --quiet");
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+}
+
+// V-REPORT
+TEST(Report, OfAStudyShowsAllMembersAndTheLimit) {
+  SKIP_WITHOUT_BROWSER();
+  const TemporaryFolder folder;
+  study_block(folder, R"(Study:
   Base Deck: base.yaml
   Cases:
     grid:
@@ -119,10 +129,23 @@ TEST(Report, OfAStudyShowsAllMembersAndTheLimit) {
   Vary:
     Materials|gel|Shear Modulus [Pa]: [500.0, 1000.0]
 )");
-  const Outcome outcome = run_stroma(folder.path(), "study study.yaml -o out --quiet");
-  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
   EXPECT_EQ(wrong(folder, "study out"), "");
   EXPECT_TRUE(fs::exists(folder / "out/4_um__Shear_Modulus_500.0_Pa/report.html"));
+}
+
+// V-REPORT
+TEST(Report, OfDrawsShowsTheBandOfTheForce) {
+  SKIP_WITHOUT_BROWSER();
+  const TemporaryFolder folder;
+  study_block(folder, R"(Study:
+  Base Deck: base.yaml
+  Uncertainty:
+    Draws: 6
+    Inputs:
+      modulus: {Path: "Materials|gel|Shear Modulus [Pa]", Distribution: Uniform, Range: [400, 600]}
+)");
+  EXPECT_TRUE(fs::exists(folder / "out/bands.csv"));
+  EXPECT_EQ(wrong(folder, "study out"), "");
 }
 
 TEST(Report, IsMadeAgainOfAFolderAndRemovedByTheNextRun) {

@@ -209,7 +209,21 @@ def check_study(driver, folder):
     force = next(name for name in rows[0] if name.endswith(".force"))
     for curve, value in zip(curves, numbers(rows, force)):
         expect(near(curve["data"][-1]["y"] * unit, value, 1e-12), f"{curve['label']}: not the force of study.csv")
-    convergence = rows_of(folder / "convergence.csv")
+    if (folder / "bands.csv").exists():
+        check_bands(driver, rows_of(folder / "bands.csv"))
+    if (folder / "convergence.csv").exists():
+        check_convergence(driver, rows_of(folder / "convergence.csv"))
+
+
+def check_bands(driver, rows):
+    unit, curves = force_unit(driver, "bands-chart"), {one["label"]: one["data"] for one in series(driver, "bands-chart")}
+    for label, name in (("median of the draws, lower", "low"), ("median of the draws", "median"), ("median of the draws, upper", "high")):
+        values = numbers(rows, name)
+        expect(len(curves.get(label, [])) == len(values), f"bands.csv, {name}: not drawn")
+        expect(all(near(point["y"] * unit, value, 1e-12) for point, value in zip(curves.get(label, []), values)), f"bands.csv, {name}: other values")
+
+
+def check_convergence(driver, convergence):
     limit, order = (convergence[0].index(name) for name in ("extrapolated_force", "order"))
     shown = driver.execute_script("return [...document.querySelectorAll('#convergence tbody tr')].map((row) => [...row.children].map((field) => field.textContent))")
     unit = force_unit(driver, "convergence-chart")
