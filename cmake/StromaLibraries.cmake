@@ -28,6 +28,16 @@ add_library(stroma::exodus ALIAS stroma_exodus)
 target_include_directories(stroma_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR} ${NETCDF_INCLUDE_DIR})
 target_link_libraries(stroma_exodus INTERFACE ${EXODUS_LIBRARY} ${NETCDF_LIBRARY})
 
+# Compressors of Zarr and TIFF; found file by file, for Blosc has no config files.
+find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
+find_library(ZSTD_LIBRARY zstd REQUIRED)
+find_path(BLOSC_INCLUDE_DIR blosc.h REQUIRED)
+find_library(BLOSC_LIBRARY blosc REQUIRED)
+add_library(stroma_codecs INTERFACE)
+add_library(stroma::codecs ALIAS stroma_codecs)
+target_include_directories(stroma_codecs SYSTEM INTERFACE ${ZSTD_INCLUDE_DIR} ${BLOSC_INCLUDE_DIR})
+target_link_libraries(stroma_codecs INTERFACE ${ZSTD_LIBRARY} ${BLOSC_LIBRARY})
+
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(ZLIB REQUIRED)

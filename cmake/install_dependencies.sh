@@ -13,7 +13,7 @@ packages=(
   # solvers, MPI
   trilinos-all-dev libptscotch-dev libopenmpi-dev openmpi-bin
   # files
-  libhdf5-openmpi-dev libexodusii-dev libtiff-dev zlib1g-dev libbz2-dev
+  libhdf5-openmpi-dev libexodusii-dev libtiff-dev zlib1g-dev libbz2-dev libzstd-dev libblosc-dev
   libyaml-cpp-dev libexpat1-dev libssl-dev nlohmann-json3-dev
   # least squares
   libceres-dev
@@ -30,7 +30,7 @@ lint=(
 )
 case ${1:-test} in
   demo) ;;
-  test) packages+=(ccache libgtest-dev chromium chromium-driver python3-selenium) ;;
+  test) packages+=(ccache libgtest-dev chromium chromium-driver python3-selenium python3-tifffile python3-zarr) ;;
   docs) packages=("${docs[@]}") ;;
   lint) packages=("${lint[@]}") ;;
   *) sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;

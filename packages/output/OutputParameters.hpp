@@ -6,11 +6,31 @@
 /// What a run writes, and how often.
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "stroma/image/stacks/StackWriter.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
 #include "stroma/output/pictures/RasterPlot.hpp"
 
 namespace stroma::output {
+
+/// Where the voxels of an image stack lie.
+enum class StackFrame {
+  undeformed,  ///< those of the image, or of its region
+  deformed,    ///< voxels of the same size where the body has gone
+  both
+};
+
+/// Results put back onto the voxels of the image.
+struct ImageStacksParameters {
+  std::vector<std::string> quantities{"von_mises"};  ///< variables of particles.e, and "label"
+  StackFrame frame = StackFrame::undeformed;
+  image::StackFormat format = image::StackFormat::ome_tiff;
+  image::Compression compression = image::Compression::none;
+  int every = 0;  ///< load steps between stacks
+};
 
 /// What is written, and how often. 0 steps between writes means: the last step only. The last step
 /// has a checkpoint in any case.
@@ -20,6 +40,7 @@ struct OutputParameters {
   int checkpoint_every = 0;          ///< load steps between checkpoints; 0: no matter how many
   double checkpoint_minutes = 10.0;  ///< between checkpoints; 0: no matter how many
   Precision precision = Precision::Double;
+  std::optional<ImageStacksParameters> image_stacks;
   bool pictures = true;
   bool report = true;
   Origin origin = Origin::Top;  ///< of y, in pictures

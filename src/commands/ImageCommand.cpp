@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/image/ReadVolume.hpp"
@@ -82,9 +84,32 @@ void print_objects(const base::Communicator& communicator, const voxels::LabelVo
       printable(count), static_cast<int>(connectivity), printable(large), printable(largest)));
 }
 
-/// What the values are: extremes, percentiles, histogram, Otsu's threshold and objects above it.
-void print_intensities(const base::Communicator& communicator, voxels::IntensityVolume volume,
-                       const image::ValueType& type, base::Log& log) {
+/// Of all ranks. Collective.
+std::int64_t count_finite(const base::Communicator& communicator,
+                          const voxels::IntensityVolume& volume) {
+  return communicator.sum(
+      static_cast<std::int64_t>(std::count_if(volume.values.begin(), volume.values.end(),
+                                              [](double value) { return std::isfinite(value); })));
+}
+
+/// The finite values of a volume, one behind the other, as their statistics want them.
+voxels::IntensityVolume finite_values(const voxels::IntensityVolume& volume, std::int64_t count) {
+  voxels::IntensityVolume finite;
+  finite.size = {count, 1, 1};
+  std::copy_if(volume.values.begin(), volume.values.end(), std::back_inserter(finite.values),
+               [](double value) { return std::isfinite(value); });
+  return finite;
+}
+
+struct Otsu {
+  double threshold;
+  const char* bins;
+};
+
+/// Extremes, percentiles, histogram. \return  Otsu's threshold, if there is one
+std::optional<Otsu> print_statistics(const base::Communicator& communicator,
+                                     const voxels::IntensityVolume& volume,
+                                     const image::ValueType& type, base::Log& log) {
   const image::Statistics statistics = image::statistics(communicator, volume);
   const image::Histogram histogram = image::histogram(communicator, volume, type);
   log.line(format("intensity    min %.9g, max %.9g, mean %.6g, standard deviation %.6g",
@@ -100,14 +125,29 @@ void print_intensities(const base::Communicator& communicator, voxels::Intensity
   print_histogram(histogram, log);
   if (!(statistics.max > statistics.min)) {
     log.line("Otsu         none: all voxels have the same value");
-    return;
+    return std::nullopt;
   }
-  const double threshold = image::otsu_threshold(histogram);
-  const double fraction = image::fraction_above(communicator, volume, threshold);
+  return Otsu{image::otsu_threshold(histogram),
+              histogram.levels ? "one bin per level" : "equal bins"};
+}
+
+/// What the values are, and the objects above Otsu's threshold.
+void print_intensities(const base::Communicator& communicator, voxels::IntensityVolume volume,
+                       const image::ValueType& type, base::Log& log) {
+  const std::int64_t finite = count_finite(communicator, volume);
+  const bool has_gaps = finite > 0 && finite < volume.voxels();  // as results have, off the body
+  if (has_gaps)
+    log.line(format("not finite   %lld of %lld voxels (NaN or infinity), left out of statistics",
+                    printable(volume.voxels() - finite), printable(volume.voxels())));
+  const std::optional<Otsu> otsu =
+      has_gaps ? print_statistics(communicator, finite_values(volume, finite), type, log)
+               : print_statistics(communicator, volume, type, log);
+  if (!otsu) return;
+  const double fraction = image::fraction_above(communicator, volume, otsu->threshold);
   log.line(format("Otsu         threshold %.9g (%s); above it: %.6f of the volume, %lld voxels",
-                  threshold, histogram.levels ? "one bin per level" : "equal bins", fraction,
+                  otsu->threshold, otsu->bins, fraction,
                   printable(std::llround(fraction * static_cast<double>(volume.voxels())))));
-  const voxels::LabelVolume labels = image::threshold_labels(volume, threshold);
+  const voxels::LabelVolume labels = image::threshold_labels(volume, otsu->threshold);
   volume = voxels::IntensityVolume();
   print_objects(communicator, labels, image::Connectivity::faces, log);
   print_objects(communicator, labels, image::Connectivity::corners, log);

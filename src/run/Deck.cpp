@@ -12,7 +12,7 @@
 
 #include "stroma/deck/PlainText.hpp"
 #include "stroma/material/Models.hpp"
-#include "stroma/output/files/RunFolder.hpp"
+#include "stroma/output/OutputFiles.hpp"
 #include "stroma/sections/BoundaryConditionsSection.hpp"
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
@@ -196,8 +196,7 @@ std::vector<std::string> input_files(const Deck& deck) {
 }
 
 std::vector<std::string> run_files(const Deck& deck) {
-  const output::OutputParameters& output = deck.parameters.output;
-  return output::run_files(output.pictures, output.report);
+  return output::run_files(deck.parameters.output);
 }
 
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {

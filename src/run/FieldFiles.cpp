@@ -157,19 +157,6 @@ output::ParticleSet FieldFiles::particle_set() const {
           particles.id.data(), particles.material.data()};
 }
 
-namespace {
-
-/// \param first  of the shown values: the particle that the fields begin with
-output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields,
-                               const std::vector<ShownValues>& shown, int first = 0) {
-  output::ParticleState state{fields.displacement.data(), fields.stress.data(),
-                              fields.gradient.data(), fields.jacobian.data(), fields.energy.data()};
-  for (const ShownValues& one : shown) state.fields.push_back(one.values.data() + first);
-  return state;
-}
-
-}  // namespace
-
 output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance,
                                        const grid::Vector& u) const {
   auto shown = shown_fields(communicator_, deck_->parameters.materials.materials, *specimen_,

@@ -10,10 +10,38 @@
 #include "stroma/base/Stage.hpp"
 
 namespace stroma {
+namespace {
+
+namespace fs = std::filesystem;
+
+KnownFile known_file(const fs::path& path) {
+  std::error_code ignored;  // sha256_of_file() tells what is wrong
+  const std::uintmax_t bytes = fs::file_size(path, ignored);
+  return {path.string(), static_cast<std::int64_t>(bytes), base::sha256_of_file(path.string())};
+}
+
+KnownFile known_folder(const fs::path& folder) {
+  std::set<fs::path> files;
+  std::error_code failure;
+  for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+    if (entry->is_regular_file(failure)) files.insert(entry->path());
+  if (failure) throw base::RunError("cannot read '" + folder.string() + "': " + failure.message());
+  KnownFile all{folder.string(), 0, ""};
+  std::string list;
+  for (const fs::path& path : files) {
+    const KnownFile one = known_file(path);
+    all.bytes += one.bytes;
+    list += one.sha256 + "  " + path.lexically_relative(folder).string() + "\n";
+  }
+  all.sha256 = base::sha256(list);
+  return all;
+}
+
+}  // namespace
 
 std::vector<KnownFile> known_files(const base::Communicator& communicator,
                                    const std::vector<std::string>& paths) {
-  namespace fs = std::filesystem;
   const base::Stage stage("checksums");
   std::vector<KnownFile> files;
   base::collectively(communicator, [&] {
@@ -22,10 +50,7 @@ std::vector<KnownFile> known_files(const base::Communicator& communicator,
     for (const std::string& one : paths) {
       const fs::path path = fs::absolute(one).lexically_normal();
       if (!listed.insert(path).second) continue;
-      std::error_code ignored;  // sha256_of_file() tells what is wrong
-      const std::uintmax_t bytes = fs::file_size(path, ignored);
-      files.push_back(
-          {path.string(), static_cast<std::int64_t>(bytes), base::sha256_of_file(path.string())});
+      files.push_back(fs::is_directory(path) ? known_folder(path) : known_file(path));
     }
   });
   std::size_t count = files.size();

@@ -26,10 +26,12 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
                names(deck.parameters.boundary_conditions.conditions),
                names(deck.parameters.materials.materials), so_far.rows),
       fields_(communicator, deck, specimen, folder),
+      stacks_(communicator, deck, specimen, folder),
       rows_(so_far.rows) {
   if (!rows_.empty()) {
     const std::string note = fields_.resume(so_far.files);
     if (!note.empty()) log.note(note);
+    stacks_.resume(rows_.back().step);
   }
   output::write_deck(communicator, folder.deck(), *as_run(deck),
                      run_facts(communicator, folder.taken(), files));
@@ -41,7 +43,17 @@ void Results::write(output::HistoryRow row, mechanics::MomentumBalance& balance,
   row.reactions = balance.reactions(u);
   rows_.push_back(with_figures(std::move(row), communicator_, balance.body(), u));
   history_.append(rows_.back());
+  write_missing(balance, u);
+}
+
+void Results::write_missing(mechanics::MomentumBalance& balance, const grid::Vector& u) {
   fields_.write_due(rows_.back(), balance, u);
+  stacks_.write_due(rows_.back(), balance.body(), u);
+}
+
+void Results::write_last(mechanics::MomentumBalance& balance, const grid::Vector& u) {
+  fields_.write_last(rows_.back(), balance, u);
+  stacks_.write_last(rows_.back(), balance.body(), u);
 }
 
 std::string Results::on_disk() const {

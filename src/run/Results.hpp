@@ -11,6 +11,7 @@
 
 #include "run/Deck.hpp"
 #include "run/FieldFiles.hpp"
+#include "run/ImageStacks.hpp"
 #include "run/KnownFiles.hpp"
 #include "run/Specimen.hpp"
 #include "stroma/base/Log.hpp"
@@ -27,7 +28,7 @@ struct ResultsSoFar {
   FieldFilesEnd files;
 };
 
-/// Writes history.csv, particles.e, grid.e, deck.xml and the pictures of one run.
+/// Writes history.csv, particles.e, grid.e, image stacks, deck.xml and the pictures of one run.
 class Results {
  public:
   /// Writes deck.xml and begins history.csv; or goes on with what there is, and cuts off what comes
@@ -44,9 +45,7 @@ class Results {
   void write(output::HistoryRow row, mechanics::MomentumBalance& balance, const grid::Vector& u);
 
   /// Writes what was due of the last step that there is and could not be written. Collective.
-  void write_missing(mechanics::MomentumBalance& balance, const grid::Vector& u) {
-    fields_.write_due(rows_.back(), balance, u);
-  }
+  void write_missing(mechanics::MomentumBalance& balance, const grid::Vector& u);
 
   /// See FieldFiles::adopt(): for a run that goes on on another number of ranks. Collective.
   bool adopt(const mechanics::MomentumBalance& balance) { return fields_.adopt(balance); }
@@ -57,9 +56,7 @@ class Results {
   std::string on_disk() const;
 
   /// Writes the last accepted step's fields if they were not due. Collective.
-  void write_last(mechanics::MomentumBalance& balance, const grid::Vector& u) {
-    fields_.write_last(rows_.back(), balance, u);
-  }
+  void write_last(mechanics::MomentumBalance& balance, const grid::Vector& u);
   /// Draws the pictures and prints a table of all steps: at the end of a run, and of one that
   /// failed. Collective.
   void finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
@@ -77,6 +74,7 @@ class Results {
   output::Pictures pictures_;
   output::History history_;
   FieldFiles fields_;
+  ImageStacks stacks_;
   std::vector<output::HistoryRow> rows_;
 };
 

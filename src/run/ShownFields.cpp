@@ -64,4 +64,12 @@ std::vector<ShownValues> shown_fields(const base::Communicator& communicator,
   return shown;
 }
 
+output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields,
+                               const std::vector<ShownValues>& shown, int first) {
+  output::ParticleState state{fields.displacement.data(), fields.stress.data(),
+                              fields.gradient.data(), fields.jacobian.data(), fields.energy.data()};
+  for (const ShownValues& one : shown) state.fields.push_back(one.values.data() + first);
+  return state;
+}
+
 }  // namespace stroma

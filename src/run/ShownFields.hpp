@@ -11,6 +11,7 @@
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Types.hpp"
 #include "stroma/output/files/ParticleVariables.hpp"
+#include "stroma/transfer/GridToParticles.hpp"
 
 namespace stroma {
 
@@ -29,5 +30,12 @@ std::vector<ShownValues> shown_fields(const base::Communicator& communicator,
                                       const material::NamedMaterials& materials,
                                       const Specimen& specimen,
                                       const particles::Particles<grid::Device>& particles);
+
+/// Results and shown values of consecutive particles, as files take them.
+/// \param fields  results; must outlive the state
+/// \param shown   of all particles
+/// \param first   the particle that the fields begin with
+output::ParticleState state_of(const transfer::ParticleFields<grid::Device>& fields,
+                               const std::vector<ShownValues>& shown = {}, int first = 0);
 
 }  // namespace stroma

@@ -16,7 +16,7 @@
 namespace stroma::image {
 namespace {
 
-enum class Format { tiff, pic, hdf5, metaimage, nrrd, nifti };
+enum class Format { tiff, pic, hdf5, metaimage, nrrd, nifti, zarr };
 
 bool begins_with(const std::string& head, const std::string& magic) {
   return head.compare(0, magic.size(), magic) == 0;
@@ -37,7 +37,8 @@ std::string first_bytes(const std::string& path) {
   std::error_code trouble;
   const fs::file_status status = fs::status(path, trouble);
   if (!fs::exists(status)) refuse(path, "no such file");
-  if (fs::is_directory(status)) refuse(path, "is a folder; admissible: an image file");
+  if (fs::is_directory(status))
+    refuse(path, "is a folder; admissible: an image file, or a folder of Zarr");
   if (!fs::is_regular_file(status)) refuse(path, "is not a regular file");
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse(path, "cannot be opened for reading");
@@ -49,6 +50,7 @@ std::string first_bytes(const std::string& path) {
 }
 
 Format format_of(const std::string& path) {
+  if (is_zarr(path)) return Format::zarr;
   const std::string head = first_bytes(path);
   const bool tiff_order = begins_with(head, "II") || begins_with(head, "MM");
   if (tiff_order && head.size() >= 4 && (head[2] + head[3] == 42 || head[2] + head[3] == 43))
@@ -65,7 +67,7 @@ Format format_of(const std::string& path) {
   if (head.size() >= 56 && head[54] == '\x39' && head[55] == '\x30') return Format::pic;
   refuse(path,
          "is in no format known here (judged by its first bytes); admissible: TIFF, Bio-Rad PIC, "
-         "NRRD, MetaImage, NIfTI, HDF5");
+         "NRRD, MetaImage, NIfTI, HDF5, and folders of Zarr");
 }
 
 /// IEEE 754's 16 bits, which C++17 has no type for.
@@ -199,6 +201,9 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
         break;
       case Format::nifti:
         source = open_nifti(request);
+        break;
+      case Format::zarr:
+        source = open_zarr(request);
         break;
     }
     check_frame(request.path, request.frame, source->summary().frames);

@@ -50,6 +50,10 @@ std::unique_ptr<ImageSource> open_metaimage(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_nrrd(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_nifti(const ImageRequest& request);
 std::unique_ptr<ImageSource> open_hdf5(const ImageRequest& request);
+std::unique_ptr<ImageSource> open_zarr(const ImageRequest& request);
+
+/// Whether a folder is one of Zarr.
+bool is_zarr(const std::string& folder);
 
 /// Opens a file by what it begins with, not by its name. Collective.
 /// \throws base::InputError on all ranks: missing, a folder, empty, no known format, or broken

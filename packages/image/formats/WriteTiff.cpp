@@ -5,24 +5,17 @@
 #include <tiffio.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <type_traits>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/image/formats/TiffDraft.hpp"
 #include "stroma/image/formats/TiffPages.hpp"
 
 namespace stroma::image {
 namespace {
-
-struct Close {
-  void operator()(TIFF* file) const { TIFFClose(file); }
-};
 
 /// ImageJ's description of a stack of `planes` pages.
 std::string imagej_description(std::int64_t planes, double spacing) {
@@ -30,8 +23,6 @@ std::string imagej_description(std::int64_t planes, double spacing) {
       "ImageJ=1.53t\nimages=%lld\nslices=%lld\nunit=micron\nspacing=%.9g\nloop=false\n",
       static_cast<long long>(planes), static_cast<long long>(planes), spacing);
 }
-
-constexpr const char* stroma_software = "Stroma";
 
 /// \return whether it could be written
 template <class T>
@@ -58,51 +49,17 @@ bool write_page(TIFF* file, const voxels::Volume<T>& volume, std::int64_t index,
          TIFFWriteDirectory(file) == 1;
 }
 
-/// A file that gets its name when it is whole, and goes away if it does not come to that.
-class Draft {
- public:
-  Draft(const std::string& path, bool big)
-      : path_(path), draft_(path + "." + std::to_string(getpid()) + ".part") {
-    file_.reset(TIFFOpen(draft_.c_str(), big ? "w8" : "w"));
-    if (!file_) fail();
-  }
-  ~Draft() {
-    file_.reset();
-    if (!draft_.empty()) std::remove(draft_.c_str());
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  TIFF* file() { return file_.get(); }
-  void fail() const {
-    throw base::RunError(path_ + ": cannot be written" + TiffMessages::reason());
-  }
-  /// libtiff tells of what it writes, and not of what the system could not keep.
-  void finish() {
-    if (TIFFFlush(file_.get()) != 1) fail();
-    errno = 0;
-    const bool kept = fsync(TIFFFileno(file_.get())) == 0 || errno == EINVAL;
-    file_.reset();
-    if (!kept || std::rename(draft_.c_str(), path_.c_str()) != 0)
-      throw base::RunError(path_ + ": cannot be written: " + std::strerror(errno));
-    draft_.clear();
-  }
-
- private:
-  std::string path_, draft_;
-  std::unique_ptr<TIFF, Close> file_;
-};
-
 }  // namespace
 
 template <class T>
 void write_tiff(const base::Communicator& communicator, const std::string& path,
                 const voxels::Volume<T>& volume) {
   const TiffMessages messages;
-  std::optional<Draft> draft;
+  std::optional<TiffDraft> draft;
   base::collectively(communicator, [&] {
     if (communicator.is_root())
-      draft.emplace(path, static_cast<double>(volume.voxels()) * sizeof(T) > 4.0e9);
+      draft.emplace(path, path + "." + std::to_string(getpid()) + ".part",
+                    static_cast<double>(volume.voxels()) * sizeof(T) > 4.0e9);
   });
   bool is_written = true;
   for (std::int64_t k = 0; k < volume.size[2]; ++k) {
@@ -114,7 +71,8 @@ void write_tiff(const base::Communicator& communicator, const std::string& path,
   base::collectively(communicator, [&] {
     if (!draft) return;
     if (!is_written) draft->fail();
-    draft->finish();
+    draft->close();
+    draft->rename();
   });
 }
 
@@ -126,7 +84,7 @@ template void write_tiff(const base::Communicator&, const std::string&,
 bool is_written_by_stroma(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return false;
   const TiffMessages messages;
-  const std::unique_ptr<TIFF, Close> file(TIFFOpen(path.c_str(), "rm"));
+  const TiffFile file(TIFFOpen(path.c_str(), "rm"));
   const char* software = nullptr;
   return file && TIFFGetField(file.get(), TIFFTAG_SOFTWARE, &software) == 1 &&
          std::string(software) == stroma_software;

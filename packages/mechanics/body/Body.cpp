@@ -216,21 +216,23 @@ transfer::ParticleFields<grid::Device> Body::particle_fields(const grid::Vector&
   return fields;
 }
 
-std::function<void(const Body::FieldVisitor&)> Body::field_layers(const grid::Vector& u) const {
-  return [stress = stress_, at_u = points(u)](const FieldVisitor& visit) {
-    const base::Stage stage("grid to particles");
-    const transfer::ElementBox& box = at_u.box;
-    const auto element_begin =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), at_u.particles.element_begin);
-    for (int k = 0; k < box.elements[2]; ++k) {
-      const int first = element_begin(box.element(0, 0, k));
-      const int count = element_begin(box.element(0, 0, k + 1)) - first;
-      if (count == 0) continue;
-      const transfer::ParticleFields<Device> fields(count);
-      stress->layer_fields(at_u, k, first, fields);
-      visit(first, fields);
-    }
-  };
+FieldLayers Body::field_layers(const grid::Vector& u) const { return {stress_, points(u)}; }
+
+void FieldLayers::operator()(const Visitor& use) const {
+  const base::Stage stage("grid to particles");
+  for (int layer = 0; layer < count(); ++layer) visit(layer, use);
+}
+
+void FieldLayers::visit(int layer, const Visitor& use) const {
+  const transfer::ElementBox& box = at_u_.box;
+  const auto element_begin =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), at_u_.particles.element_begin);
+  const int first = element_begin(box.element(0, 0, layer));
+  const int count = element_begin(box.element(0, 0, layer + 1)) - first;
+  if (count == 0) return;
+  const Fields fields(count);
+  stress_->layer_fields(at_u_, layer, first, fields);
+  use(first, fields);
 }
 
 double Body::largest_strain(const grid::Vector& u) const {

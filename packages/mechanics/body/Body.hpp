@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "stroma/grid/Halo.hpp"
 #include "stroma/mechanics/kernels/ShapeKernels.hpp"
@@ -23,6 +24,30 @@ struct WorstParticle {
   int material = 0;
   double figure = 0.0;
   std::array<double, 3> position{};  ///< at the base configuration [um]
+};
+
+/// Results at the particles of a rank, one layer of elements along z at a time, so that nobody keeps
+/// them all. Good until the halo is used again; does not communicate.
+class FieldLayers {
+ public:
+  using Fields = transfer::ParticleFields<grid::Device>;
+  /// Takes the first particle and the fields of a layer.
+  using Visitor = std::function<void(int, const Fields&)>;
+
+  FieldLayers(std::shared_ptr<const StressKernels> stress,
+              const transfer::PointSet<grid::Device>& at_u)
+      : stress_(std::move(stress)), at_u_(at_u) {}
+
+  /// Layers of this rank's elements.
+  int count() const { return at_u_.box.elements[2]; }
+  /// Calls visit for one layer, if it holds particles.
+  void visit(int layer, const Visitor& use) const;
+  /// For each layer, in the order of the particles; as often as it is called.
+  void operator()(const Visitor& use) const;
+
+ private:
+  std::shared_ptr<const StressKernels> stress_;
+  transfer::PointSet<grid::Device> at_u_;
 };
 
 /// The particles, the grid under them, and the ways between the two. The displacement u of the
@@ -99,12 +124,8 @@ class Body {
 
   /// Results at this rank's particles.
   transfer::ParticleFields<Device> particle_fields(const grid::Vector& u) const;
-  /// The same, one layer of elements along z at a time, so that nobody keeps them all: a function
-  /// that calls visit(first particle, fields of the layer) for each layer that holds particles, in
-  /// the order of the particles, as often as it is called. Making it is collective, calling it is
-  /// not; it is good until the halo is used again.
-  using FieldVisitor = std::function<void(int, const transfer::ParticleFields<Device>&)>;
-  std::function<void(const FieldVisitor&)> field_layers(const grid::Vector& u) const;
+  /// The same, layer by layer.
+  FieldLayers field_layers(const grid::Vector& u) const;
   /// The one with the smallest J.
   WorstParticle worst_particle(const grid::Vector& u) const;
   /// The one with the least modulus of a plane wave [Pa] (transfer::WaveModulus); where it is

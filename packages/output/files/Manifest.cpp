@@ -32,6 +32,27 @@ std::string bytes_of(std::ifstream& file, std::uintmax_t place, std::size_t coun
   return bytes;
 }
 
+/// The files in a folder, relative to it, in order.
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> files;
+  std::error_code failure;
+  for (fs::recursive_directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+    if (!entry->is_directory() || entry->is_symlink())
+      files.push_back(entry->path().lexically_relative(folder).string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Whether all files in a folder are such as those of Zarr: .zattrs, .zarray, .zgroup and numbers.
+bool is_like_zarr(const fs::path& folder) {
+  const std::vector<std::string> files = files_in(folder);
+  return std::all_of(files.begin(), files.end(), [](const std::string& file) {
+    const std::string name = fs::path(file).filename().string();
+    return name.rfind(".z", 0) == 0 || name.find_first_not_of("0123456789") == std::string::npos;
+  });
+}
+
 }  // namespace
 
 Manifest::Manifest(std::string folder) : folder_(std::move(folder)) {
@@ -84,7 +105,9 @@ std::vector<std::string> Manifest::files() const {
 bool Manifest::is_own(const std::string& file) const {
   const fs::path path = fs::path(folder_) / file;
   std::error_code ignored;
-  if (!fs::is_regular_file(fs::symlink_status(path, ignored))) return false;
+  const fs::file_status status = fs::symlink_status(path, ignored);
+  const bool may_be_folder = path.filename().string().find(".zarr") != std::string::npos;
+  if (!fs::is_regular_file(status) && !(may_be_folder && fs::is_directory(status))) return false;
   const auto found = finished_.find(file);
   if (found != finished_.end()) return found->second == fingerprint(file);
   return std::count(being_written_.begin(), being_written_.end(), name_of(file)) > 0 &&
@@ -93,6 +116,7 @@ bool Manifest::is_own(const std::string& file) const {
 
 bool Manifest::begins_as_written(const std::string& file_path) {
   const fs::path path = file_path;
+  if (fs::is_directory(path)) return is_like_zarr(path);
   std::ifstream file(path, std::ios::binary);
   const std::string begin = bytes_of(file, 0, 64);
   const auto is = [&](const std::string& text) { return begin.rfind(text, 0) == 0; };
@@ -111,7 +135,9 @@ bool Manifest::begins_as_written(const std::string& file_path) {
 
 std::string Manifest::name_of(const std::string& file) {
   static const std::regex spread("((particles|grid)\\.e)(-s[0-9]+)?(\\.[0-9]+\\.[0-9]+)?");
+  static const std::regex stack("(image_(un)?deformed)-s[0-9]+(\\.ome\\.(tif|zarr)(\\.new)?)");
   std::smatch parts;
+  if (std::regex_match(file, parts, stack)) return parts[1].str() + parts[3].str();
   return std::regex_match(file, parts, spread) ? parts[1].str() : file;
 }
 
@@ -123,16 +149,26 @@ void Manifest::write() const {
 }
 
 /// Size, and FNV-1a of the first and the last 64 KiB: any program that changes a results file of
-/// gigabytes changes its head, and that is read in no time.
+/// gigabytes changes its head, and that is read in no time. Of a folder, the same of each file in
+/// it, by name.
 std::string Manifest::fingerprint(const std::string& file) const {
   constexpr std::size_t piece = 1u << 16;
   const std::string path = folder_ + "/" + file;
   std::error_code failure;
-  const std::uintmax_t size = fs::file_size(path, failure);
-  if (failure) return "unknown";
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes = bytes_of(stream, 0, piece);
-  if (size > piece) bytes += bytes_of(stream, std::max<std::uintmax_t>(piece, size - piece), piece);
+  std::uintmax_t size = 0;
+  std::string bytes;
+  if (fs::is_directory(path, failure)) {
+    for (const std::string& one : files_in(path))
+      bytes += one + ": " + fingerprint(file + "/" + one) + "\n";
+    size = bytes.size();
+  } else {
+    size = fs::file_size(path, failure);
+    if (failure) return "unknown";
+    std::ifstream stream(path, std::ios::binary);
+    bytes = bytes_of(stream, 0, piece);
+    if (size > piece)
+      bytes += bytes_of(stream, std::max<std::uintmax_t>(piece, size - piece), piece);
+  }
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
   return base::format("%llu bytes, checksum %016llx", static_cast<unsigned long long>(size),

@@ -29,7 +29,7 @@ class Manifest {
 
   /// The files of the folder that the list names, as they are or changed.
   std::vector<std::string> files() const;
-  /// Whether a file of the folder is as Stroma left it: a plain file that is in the list with its
+  /// Whether a file of the folder is as Stroma left it: a plain file, or a folder of Zarr, that is in the list with its
   /// checksum, or whose name is being written and that begins as such a file does.
   bool is_own(const std::string& file) const;
 

@@ -182,7 +182,7 @@ void RunFolder::remove_old_results(base::Log& log) const {
     for (const std::string& file : manifest.files()) {
       if (!manifest.is_own(file)) continue;
       std::error_code failure;
-      fs::remove(fs::path(folder()) / file, failure);
+      fs::remove_all(fs::path(folder()) / file, failure);
       if (failure)
         throw base::InputError("cannot remove an earlier run's '" + file + "' from '" + folder() +
                                "': " + failure.message());
