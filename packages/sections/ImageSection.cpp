@@ -156,7 +156,8 @@ deck::Section<ImageParameters> image_section() {
                 "The image, relative to the deck: TIFF (also stacks of ImageJ, OME, MetaMorph, "
                 "Zeiss LSM), Bio-Rad PIC, "
                 "NRRD, MetaImage, NIfTI "
-                "or HDF5. Either File or the sublist Phantom.")
+                "or HDF5; or a folder of OME-Zarr (0.1 to 0.4), of which the finest level is read. "
+                "Either File or the sublist Phantom.")
       .optional("Dataset", &ImageParameters::dataset, not_empty(),
                 "The dataset of an HDF5 file. Its axes are those that the attribute axistags or "
                 "DIMENSION_LABELS states, else [y][x], [z][y][x], [c][z][y][x] or "

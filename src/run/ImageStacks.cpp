@@ -86,7 +86,7 @@ void ImageStacks::write(const output::HistoryRow& row, const mechanics::Body& bo
 }
 
 void ImageStacks::write_frame(bool is_deformed, const output::HistoryRow& row,
-                              const PlacedParticles& particles) const {
+                              PlacedParticles particles) const {
   const output::ImageStacksParameters& wanted = *deck_->parameters.output.image_stacks;
   const voxels::Box box =
       is_deformed ? particles.of_body().voxels(0.5) : voxels::Box{{0, 0, 0}, size_};

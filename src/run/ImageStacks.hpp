@@ -44,7 +44,7 @@ class ImageStacks {
  private:
   void write(const output::HistoryRow& row, const mechanics::Body& body, const grid::Vector& u);
   void write_frame(bool is_deformed, const output::HistoryRow& row,
-                   const PlacedParticles& particles) const;
+                   PlacedParticles particles) const;
   image::StackHeader header(bool is_deformed, const output::HistoryRow& row,
                             const voxels::Box& box) const;
 

@@ -34,6 +34,11 @@ FilledBox deformed(const particles::Share& share, const output::ParticleAt& part
   return box;
 }
 
+template <class View>
+auto on_host(const View& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+}
+
 }  // namespace
 
 void Extent::include(const std::array<double, 3>& other_low,
@@ -66,10 +71,8 @@ PlacedParticles::PlacedParticles(const base::Communicator& communicator,
       is_deformed_(is_deformed),
       of_layer_(static_cast<std::size_t>(layers_.count())) {
   for (int layer = 0; layer < layers_.count(); ++layer) {
-    Extent& extent = of_layer_[static_cast<std::size_t>(layer)];
-    visit_layer(layer, [&](const FilledBox& box, const output::ParticleAt&, std::size_t) {
-      extent.include(box.low, box.high);
-    });
+    const Extent extent = extent_of(layer);
+    of_layer_[static_cast<std::size_t>(layer)] = extent;
     of_rank_.include(extent.low, extent.high);
   }
   for (std::size_t d = 0; d < 3; ++d) {
@@ -78,30 +81,52 @@ PlacedParticles::PlacedParticles(const base::Communicator& communicator,
   }
 }
 
-void PlacedParticles::visit(std::int64_t first_plane, std::int64_t planes, const Use& use) const {
-  for (int layer = 0; layer < layers_.count(); ++layer)
-    if (of_layer_[static_cast<std::size_t>(layer)].reaches(first_plane, planes))
-      visit_layer(layer, use);
+Extent PlacedParticles::extent_of(int layer) {
+  const auto id = on_host(body_->particles().id);
+  const int first = layers_.first_particle(layer), end = layers_.first_particle(layer + 1);
+  const output::ParticleState none;
+  const output::ParticleState& state = is_deformed_ ? state_of_layer(layer) : none;
+  Extent extent;
+  for (int p = first; p < end; ++p) {
+    const FilledBox box = box_of(id(p), {state, p - first});
+    extent.include(box.low, box.high);
+  }
+  return extent;
 }
 
-void PlacedParticles::visit_layer(int layer, const Use& use) const {
-  const auto id = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body_->particles().id);
-  const auto material =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body_->particles().material);
-  layers_.visit(layer, [&](int first, const mechanics::FieldLayers::Fields& fields) {
-    const output::ParticleState state = state_of(fields);
-    const int count = static_cast<int>(fields.jacobian.extent(0));
-    for (int p = 0; p < count; ++p) {
-      const output::ParticleAt particle(state, p);
-      const particles::Share share = shares_->of(id(first + p));
-      FilledBox box = is_deformed_ ? deformed(share, particle) : FilledBox{share.low, share.high};
-      for (std::size_t d = 0; d < 3; ++d) {
-        box.low[d] /= voxel_size_[d];
-        box.high[d] /= voxel_size_[d];
-      }
-      use(box, particle, material(first + p));
+void PlacedParticles::visit(std::int64_t first_plane, std::int64_t planes, const Use& use) {
+  const auto id = on_host(body_->particles().id);
+  const auto material = on_host(body_->particles().material);
+  for (int layer = 0; layer < layers_.count(); ++layer) {
+    if (!of_layer_[static_cast<std::size_t>(layer)].reaches(first_plane, planes)) continue;
+    const int first = layers_.first_particle(layer), end = layers_.first_particle(layer + 1);
+    const output::ParticleState& state = state_of_layer(layer);
+    for (int p = first; p < end; ++p) {
+      const output::ParticleAt particle(state, p - first);
+      use(box_of(id(p), particle), particle, material(p));
     }
-  });
+  }
+}
+
+const output::ParticleState& PlacedParticles::state_of_layer(int layer) {
+  if (layer != kept_layer_) {
+    kept_ = mechanics::FieldLayers::Fields(0);  // so that no two are there
+    layers_.visit(layer,
+                  [&](int, const mechanics::FieldLayers::Fields& fields) { kept_ = fields; });
+    kept_state_ = state_of(kept_);
+    kept_layer_ = layer;
+  }
+  return kept_state_;
+}
+
+FilledBox PlacedParticles::box_of(std::int64_t id, const output::ParticleAt& particle) const {
+  const particles::Share share = shares_->of(id);
+  FilledBox box = is_deformed_ ? deformed(share, particle) : FilledBox{share.low, share.high};
+  for (std::size_t d = 0; d < 3; ++d) {
+    box.low[d] /= voxel_size_[d];
+    box.high[d] /= voxel_size_[d];
+  }
+  return box;
 }
 
 }  // namespace stroma

@@ -44,7 +44,7 @@ struct Extent {
 /// and F there, for the box around what F makes of that share, filled to J V0 of its volume.
 class PlacedParticles {
  public:
-  /// Collective; evaluates all layers once.
+  /// Collective; evaluates all layers once if they are deformed.
   /// \param communicator  of the ranks that share the body
   /// \param body          its particles
   /// \param u             displacement of the grid's nodes [um]; what is made of it is good until
@@ -63,11 +63,14 @@ class PlacedParticles {
 
   /// Takes a particle's box, its state, and the index of its material.
   using Use = std::function<void(const voxels::FilledBox&, const output::ParticleAt&, std::size_t)>;
-  /// Calls use for the particles of the layers that reach into some planes. Not collective.
-  void visit(std::int64_t first_plane, std::int64_t planes, const Use& use) const;
+  /// Calls use for the particles of the layers that reach into some planes. The layer that was
+  /// evaluated last is kept. Not collective.
+  void visit(std::int64_t first_plane, std::int64_t planes, const Use& use);
 
  private:
-  void visit_layer(int layer, const Use& use) const;
+  const output::ParticleState& state_of_layer(int layer);
+  voxels::FilledBox box_of(std::int64_t id, const output::ParticleAt& particle) const;
+  Extent extent_of(int layer);
 
   const mechanics::Body* body_;
   mechanics::FieldLayers layers_;
@@ -75,6 +78,9 @@ class PlacedParticles {
   std::array<double, 3> voxel_size_;
   bool is_deformed_;
   std::vector<Extent> of_layer_;
+  int kept_layer_ = -1;
+  mechanics::FieldLayers::Fields kept_{0};
+  output::ParticleState kept_state_;
   Extent of_rank_, of_body_;
 };
 

@@ -18,11 +18,19 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// The JSON of a text, but for what lies too deep in it to mean anything, which nlohmann's printing
+/// could not take; discarded if the text is none.
+Json parsed(const std::string& text) {
+  constexpr int deepest = 16;
+  return Json::parse(
+      text, [](int depth, Json::parse_event_t, const Json&) { return depth < deepest; }, false);
+}
+
 /// A JSON file, and the errors about it.
 class Head {
  public:
   Head(std::string path, std::string file, const std::string& text)
-      : path_(std::move(path)), file_(std::move(file)), json_(Json::parse(text, nullptr, false)) {
+      : path_(std::move(path)), file_(std::move(file)), json_(parsed(text)) {
     if (!json_.is_object()) refuse(path_, "is broken: its " + file_ + " is no JSON object");
   }
 
@@ -217,7 +225,7 @@ std::optional<ZarrImage> zarr_image(const std::string& path, const std::string& 
 }
 
 bool is_zarr_series(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parsed(text);
   return json.is_object() && json.contains("bioformats2raw.layout");
 }
 

@@ -179,7 +179,8 @@ class ZarrStack : public StackWriter {
     const std::int64_t across = (planes.size[0] + cx - 1) / cx;
     const std::int64_t chunks = across * ((planes.size[1] + cy - 1) / cy);
     for (std::int64_t first = 0; first < chunks; first += communicator_.size()) {
-      const std::int64_t own = first + communicator_.rank();
+      const std::int64_t own = first + (communicator_.rank() + static_cast<std::int64_t>(channel)) %
+                                           communicator_.size();
       const std::int64_t x = own % across, y = own / across;
       voxels::Box box;
       if (own < chunks)

@@ -223,12 +223,14 @@ void FieldLayers::operator()(const Visitor& use) const {
   for (int layer = 0; layer < count(); ++layer) visit(layer, use);
 }
 
-void FieldLayers::visit(int layer, const Visitor& use) const {
-  const transfer::ElementBox& box = at_u_.box;
+int FieldLayers::first_particle(int layer) const {
   const auto element_begin =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), at_u_.particles.element_begin);
-  const int first = element_begin(box.element(0, 0, layer));
-  const int count = element_begin(box.element(0, 0, layer + 1)) - first;
+  return element_begin(at_u_.box.element(0, 0, layer));
+}
+
+void FieldLayers::visit(int layer, const Visitor& use) const {
+  const int first = first_particle(layer), count = first_particle(layer + 1) - first;
   if (count == 0) return;
   const Fields fields(count);
   stress_->layer_fields(at_u_, layer, first, fields);

@@ -40,6 +40,8 @@ class FieldLayers {
 
   /// Layers of this rank's elements.
   int count() const { return at_u_.box.elements[2]; }
+  /// The first particle of a layer; of the layer behind the last, the number of all.
+  int first_particle(int layer) const;
   /// Calls visit for one layer, if it holds particles.
   void visit(int layer, const Visitor& use) const;
   /// For each layer, in the order of the particles; as often as it is called.

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// Stacks of several channels, written by any number of ranks and read back as images. Claim
+/// V-STACK-2, docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "ReadBack.hpp"
+#include "stroma/base/Error.hpp"
+#include "stroma/image/stacks/StackWriter.hpp"
+#include "stroma/image/stacks/TiffDescriptions.hpp"
+
+namespace stroma::test {
+namespace {
+
+using image::Compression;
+using image::StackFormat;
+
+base::Communicator world() { return base::Communicator::world(); }
+
+/// A number that tells its voxel and channel; a few voxels are empty.
+float value_at(std::int64_t x, std::int64_t y, std::int64_t z, std::size_t channel) {
+  if (x < 2 && y == 0 && channel == 0) return std::numeric_limits<float>::quiet_NaN();
+  return static_cast<float>(x + 1000 * y + 0.25 * static_cast<double>(z)) +
+         1e6f * static_cast<float>(channel);
+}
+
+image::StackHeader header_of(const Size& size) {
+  image::StackHeader header;
+  header.name = "gel & \"fibres\" <1>";
+  header.creator = "test";
+  header.size = size;
+  header.voxel_size = {1.05, 0.5, 2.0};
+  header.origin = {10.5, -1.0, 4.0};
+  header.channels = {{"von_mises [Pa]"}, {"jacobian"}, {"label", true}};
+  return header;
+}
+
+std::string write(const image::StackHeader& header, StackFormat format, Compression compression) {
+  const std::string path =
+      folder() + (format == StackFormat::ome_tiff ? "/stack.ome.tif" : "/stack.ome.zarr");
+  const auto writer = format == StackFormat::ome_tiff
+                          ? image::tiff_stack(world(), path, header, compression)
+                          : image::zarr_stack(world(), path, header, compression);
+  const std::int64_t band = image::planes_of_band(header);
+  for (std::int64_t first = 0; first < header.size[2]; first += band) {
+    const Size size{header.size[0], header.size[1], std::min(band, header.size[2] - first)};
+    std::vector<voxels::Volume<float>> channels;
+    for (std::size_t c = 0; c < header.channels.size(); ++c) {
+      channels.emplace_back(world(), size, header.voxel_size);
+      float* value = channels.back().values.data();
+      for (std::int64_t k = 0; k < channels.back().planes; ++k)
+        for (std::int64_t j = 0; j < size[1]; ++j)
+          for (std::int64_t i = 0; i < size[0]; ++i)
+            *value++ = value_at(i, j, first + channels.back().first_plane + k, c);
+    }
+    writer->write(first, channels);
+  }
+  writer->finish();
+  world().barrier();
+  return path;
+}
+
+void expect_stack(const std::string& path, const image::StackHeader& header) {
+  for (std::size_t c = 0; c < header.channels.size(); ++c) {
+    image::ImageParameters parameters;
+    parameters.file = path;
+    parameters.channel = static_cast<int>(c);
+    image::ImageSummary summary;
+    const auto volume = read_back(parameters, summary);
+    EXPECT_EQ(volume.size, header.size);
+    EXPECT_EQ(summary.channels, 3);
+    EXPECT_EQ(summary.type.name(), "32-bit float");
+    for (std::size_t d = 0; d < 3; ++d)
+      EXPECT_DOUBLE_EQ(summary.voxel_size.um[d], header.voxel_size[d]);
+    std::int64_t n = 0, wrong = 0;
+    for (std::int64_t k = 0; k < volume.planes; ++k)
+      for (std::int64_t j = 0; j < header.size[1]; ++j)
+        for (std::int64_t i = 0; i < header.size[0]; ++i) {
+          const double found = volume.values[static_cast<std::size_t>(n++)];
+          const auto expected = static_cast<double>(value_at(i, j, volume.first_plane + k, c));
+          if (std::isnan(expected) ? !std::isnan(found) : found != expected) ++wrong;
+        }
+    EXPECT_EQ(wrong, 0) << path << ", channel " << c;
+  }
+}
+
+TEST(Stack, IsReadAsItWasWritten) {
+  for (const StackFormat format : {StackFormat::ome_tiff, StackFormat::ome_zarr})
+    for (const Compression compression :
+         {Compression::none, Compression::zlib, Compression::zstd, Compression::blosc}) {
+      if (format == StackFormat::ome_tiff && compression == Compression::blosc) continue;
+      const image::StackHeader header = header_of({13, 7, 35});  // bands of 32 planes
+      expect_stack(write(header, format, compression), header);
+    }
+}
+
+TEST(Stack, PlanesMayBeCutIntoStripsAndChunks) {
+  // A plane of 4.8 MB: strips of at most 4 MiB; chunks of 256 x 256, at the ends parts of them.
+  const image::StackHeader header = header_of({600, 2000, 3});
+  for (const StackFormat format : {StackFormat::ome_tiff, StackFormat::ome_zarr})
+    expect_stack(write(header, format, Compression::zlib), header);
+}
+
+TEST(Stack, CoarserLevelsAreMeansOfWhatIsNotEmpty) {
+  const image::StackHeader header = header_of({600, 300, 2});
+  const std::string path = write(header, StackFormat::ome_zarr, Compression::none);
+  image::ImageParameters parameters;
+  parameters.file = path + "/1";  // an array by itself
+  image::ImageSummary summary;
+  const auto volume = read_back(parameters, summary);
+  EXPECT_EQ(volume.size, (Size{300, 150, 2}));
+  EXPECT_TRUE(has_note(summary, "axes are not stated; read as czyx"));
+  for (std::int64_t k = 0; k < volume.planes; ++k) {
+    const std::int64_t z = volume.first_plane + k;
+    // Voxels (0, 0), (1, 0) are empty: the mean of (0, 1) and (1, 1); then one of all four.
+    EXPECT_EQ(volume.plane(k)[0], 0.5 * (static_cast<double>(value_at(0, 1, z, 0)) +
+                                         static_cast<double>(value_at(1, 1, z, 0))));
+    EXPECT_NEAR(volume.plane(k)[1], 2.5 + 500.0 + 0.25 * static_cast<double>(z), 1e-4);
+  }
+  parameters.channel = 2;  // labels have no mean
+  const auto labels = read_back(parameters, summary);
+  for (std::int64_t k = 0; k < labels.planes; ++k)
+    EXPECT_EQ(labels.plane(k)[1], static_cast<double>(value_at(2, 0, labels.first_plane + k, 2)));
+}
+
+TEST(Stack, OfTiffHasTwoDescriptions) {
+  const image::StackHeader header = header_of({13, 7, 5});
+  const std::string path = write(header, StackFormat::ome_tiff, Compression::none);
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const auto number = [&](std::size_t at, int count) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, static_cast<std::size_t>(count));
+    return value;
+  };
+  const std::size_t page = number(4, 4);
+  std::vector<std::string> descriptions;
+  std::uint32_t last = 0;
+  for (std::uint32_t n = 0; n < number(page, 2); ++n) {
+    const std::size_t entry = page + 2 + 12 * n;
+    const std::uint32_t tag = number(entry, 2);
+    EXPECT_GE(tag, last);  // tags ascend
+    last = tag;
+    if (tag == 270)
+      descriptions.push_back(bytes.substr(number(entry + 8, 4), number(entry + 4, 4) - 1));
+  }
+  ASSERT_EQ(descriptions.size(), 2u);
+  EXPECT_EQ(descriptions[0], image::ome_xml(header));
+  EXPECT_EQ(descriptions[1], image::imagej_description(header));
+  EXPECT_NE(descriptions[0].find("Name=\"gel &amp; &quot;fibres&quot; &lt;1&gt;\""),
+            std::string::npos);
+}
+
+TEST(Stack, ThatCannotBeWrittenIsARunErrorOnAllRanks) {
+  for (const StackFormat format : {StackFormat::ome_tiff, StackFormat::ome_zarr}) {
+    const std::string path = "/proc/no/stack";
+    EXPECT_THROW(format == StackFormat::ome_tiff
+                     ? image::tiff_stack(world(), path, header_of({4, 4, 4}), Compression::none)
+                     : image::zarr_stack(world(), path, header_of({4, 4, 4}), Compression::none),
+                 base::RunError);
+  }
+}
+
+}  // namespace
+}  // namespace stroma::test
