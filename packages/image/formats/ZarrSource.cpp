@@ -123,13 +123,14 @@ class ZarrSource : public ImageSource {
     std::string keys;
     for (const ZarrAxis& axis : axes) keys += axis.key;
     if (axes.size() != dimensions) refuse_axes(keys, "do not fit its array");
+    int* const dimension_of[] = {&space_[0], &space_[1], &space_[2], &channel_, &time_};
     for (std::size_t d = 0; d < dimensions; ++d) {
       const std::size_t place = std::string("xyzct").find(keys[d]);
       if (place == std::string::npos) {
         if (array_.shape[d] == 1) continue;  // whatever it means, there is one of it
         refuse_axes(keys, "name an axis of several entries otherwise");
       }
-      int& axis = place < 3 ? space_[place] : place == 3 ? channel_ : time_;
+      int& axis = *dimension_of[place];
       if (axis >= 0) refuse_axes(keys, "name an axis twice");
       axis = static_cast<int>(d);
     }
