@@ -173,7 +173,7 @@ KOKKOS_INLINE_FUNCTION typename Law::Tangent tangent(const Law& law, const Tenso
 ///
 /// with j = J - 1, x = -2/3 ln J, e = exp(x) - 1, II and III the invariants of H.
 ///
-/// \param b_minus_identity,x,e  of H, for one who has them
+/// \param H,b_minus_identity,x,e  the displacement gradient F - I, and what follows from it
 KOKKOS_INLINE_FUNCTION double isochoric_first_invariant_minus_3(const Tensor3& H,
                                                                 const Tensor3& b_minus_identity,
                                                                 double x, double e) {

@@ -59,7 +59,10 @@ std::int64_t planes_of_band(const StackHeader& header);
 /// fastest, then z. The first page has two descriptions, OME-XML and then ImageJ's: readers of OME
 /// take the first, ImageJ the last. Channels are named in OME-XML and, as labels of slices, in
 /// ImageJ's tags. Above 4 GB a BigTIFF. Ranks pack their planes, rank 0 writes them. Collective.
-/// \param compression  none, zlib or zstd; of a strip of at most 4 MiB
+/// \param communicator  of the ranks whose volumes it takes
+/// \param path          of the file
+/// \param header        what it holds, and how large
+/// \param compression   none, zlib or zstd; of a strip of at most 4 MiB
 /// \throws base::RunError on all ranks when the file cannot be made
 std::unique_ptr<StackWriter> tiff_stack(const base::Communicator& communicator,
                                         const std::string& path, const StackHeader& header,
@@ -69,7 +72,10 @@ std::unique_ptr<StackWriter> tiff_stack(const base::Communicator& communicator,
 /// each with half the voxels along x and y, their mean without what is empty; of labels one of
 /// them. Chunks of one channel, a band of planes and 256 x 256 voxels, each a file that one rank
 /// writes. Collective.
-/// \param compression  of a chunk
+/// \param communicator  of the ranks whose volumes it takes
+/// \param path          of the folder
+/// \param header        what it holds, and how large
+/// \param compression   of a chunk
 /// \throws base::RunError on all ranks when the folder cannot be made
 std::unique_ptr<StackWriter> zarr_stack(const base::Communicator& communicator,
                                         const std::string& path, const StackHeader& header,
