@@ -10,6 +10,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
+#include "study/ForceDeparture.hpp"
 #include "study/MemberRun.hpp"
 
 namespace stroma {
@@ -25,14 +26,14 @@ std::vector<double> tidy(const std::vector<double>& values) {
   return result;
 }
 
-/// The value of a run's column at a load factor, linear between steps; 0 where the load is.
-double value_at(double load, const std::vector<double>& loads, const std::vector<double>& values) {
-  const auto after = std::lower_bound(loads.begin(), loads.end(), load);
-  const auto n = static_cast<std::size_t>(after - loads.begin());
-  if (n == loads.size()) return values.back();
-  const double before = n == 0 ? 0.0 : loads[n - 1], value = n == 0 ? 0.0 : values[n - 1];
-  if (loads[n] == before) return values[n];
-  return value + (values[n] - value) * (load - before) / (loads[n] - before);
+/// A column by load factor; 0 at the unloaded body, which a table of derivatives leaves out.
+ForceRecord record_of(const output::HistoryTable& table, const std::string& column) {
+  ForceRecord record{table.column("load"), table.column(column)};
+  if (record.load.empty() || record.load.front() > 0.0) {
+    record.load.insert(record.load.begin(), 0.0);
+    record.force.insert(record.force.begin(), 0.0);
+  }
+  return record;
 }
 
 }  // namespace
@@ -59,13 +60,12 @@ bool FitRuns::read_back(FitRun& run) const {
       for (Eigen::Index i = 0; is_whole == 1 && i < points; ++i) {
         const FitPoint& point = plan_->points[static_cast<std::size_t>(i)];
         const Reaction& reaction = plan_->reactions[point.reaction];
-        run.forces[i] =
-            value_at(point.load, history.column("load"), history.column(reaction.column()));
+        run.forces[i] = force_at(record_of(history, reaction.column()), point.load);
         for (Eigen::Index j = 0; j < run.by_adjoint.cols(); ++j) {
           const std::string& path =
               plan_->parameters.parameters.all[static_cast<std::size_t>(j)].second.path;
-          run.by_adjoint(i, j) = value_at(point.load, sensitivity.column("load"),
-                                          sensitivity.column(Sensitivity::column(reaction, path)));
+          run.by_adjoint(i, j) =
+              force_at(record_of(sensitivity, Sensitivity::column(reaction, path)), point.load);
         }
       }
     } catch (const base::RunError&) {

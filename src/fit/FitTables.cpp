@@ -12,8 +12,7 @@ namespace {
 
 using base::format;
 using output::csv_field;
-
-std::string digits(double value) { return format("%.17g", value); }
+using output::csv_number;
 
 /// "520.8 to 530.2", or what stands for it.
 std::string interval(const NumberEstimate& one) {
@@ -31,8 +30,8 @@ std::string runs_table(const FitPlan& plan, const std::vector<FitRun>& runs) {
     const FitRun& run = runs[n];
     const bool is_done = run.failure.empty();
     table += std::to_string(n + 1) + "," + csv_field(run.folder) + (is_done ? ",done" : ",failed");
-    for (const double value : run.values) table += "," + digits(value);
-    table += "," + (is_done ? digits(run.chi2) : "") + "\n";
+    for (const double value : run.values) table += "," + csv_number(value);
+    table += "," + (is_done ? csv_number(run.chi2) : "") + "\n";
   }
   return table;
 }
@@ -47,12 +46,12 @@ std::string estimates_table(const FitPlan& plan, const std::vector<FittedNumber>
     const NumberEstimate& one = estimate.numbers[j];
     table += csv_field(numbers[j].name) + "," +
              csv_field(plan.parameters.parameters.all[j].second.path) + "," +
-             digits(numbers[j].value);
-    table += one.standard_deviation ? "," + digits(*one.standard_deviation) + "," +
-                                          digits(one.low) + "," + digits(one.high)
+             csv_number(numbers[j].value);
+    table += one.standard_deviation ? "," + csv_number(*one.standard_deviation) + "," +
+                                          csv_number(one.low) + "," + csv_number(one.high)
                                     : ",,,";
     for (const auto& correlation : one.correlation)
-      table += "," + (correlation ? digits(*correlation) : "");
+      table += "," + (correlation ? csv_number(*correlation) : "");
     table += "\n";
   }
   return table;
@@ -63,9 +62,9 @@ std::string fitted_table(const FitPlan& plan, const FitRun& best) {
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
     const FitPoint& point = plan.points[i];
     table += csv_field(plan.parameters.measurements.all[point.measurement].first) + "," +
-             digits(point.load) + "," + digits(point.measured.abscissa) + "," +
-             digits(point.measured.force) + "," + digits(point.measured.error) + "," +
-             digits(best.forces[static_cast<Eigen::Index>(i)]) + "\n";
+             csv_number(point.load) + "," + csv_number(point.measured.abscissa) + "," +
+             csv_number(point.measured.force) + "," + csv_number(point.measured.error) + "," +
+             csv_number(best.forces[static_cast<Eigen::Index>(i)]) + "\n";
   }
   return table;
 }

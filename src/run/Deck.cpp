@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
+#include "stroma/base/FileContent.hpp"
 #include "stroma/deck/PlainText.hpp"
 #include "stroma/material/Models.hpp"
 #include "stroma/output/OutputFiles.hpp"
@@ -181,9 +180,7 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
       throw base::InputError(where + ": the path " + problem +
                              "; move the image, or rename its folder");
   });
-  std::ifstream file(path);
-  return {std::move(document), std::move(parameters),
-          std::string(std::istreambuf_iterator<char>(file), {}), overrides};
+  return {std::move(document), std::move(parameters), base::file_content(path), overrides};
 }
 
 std::vector<std::string> input_files(const Deck& deck) {

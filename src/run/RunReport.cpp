@@ -8,14 +8,13 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "run/MovingSupports.hpp"
 #include "stroma/base/Error.hpp"
+#include "stroma/base/FileContent.hpp"
 #include "stroma/image/ReadVolume.hpp"
 #include "stroma/output/files/Manifest.hpp"
 #include "stroma/output/files/ParticleReader.hpp"
@@ -147,8 +146,9 @@ json data_of(const Deck& deck, const output::RunFiles& files,
             {"folder", std::filesystem::absolute(files.folder()).filename().string()},
             {"made_by", output::program_version()},
             {"deck", deck.text},
-            {"log", shortened(text_of(files.log()))},
-            {"history", output::table_excerpt(text_of(files.history()), most_history_rows, true)},
+            {"log", shortened(base::file_content(files.log()))},
+            {"history",
+             output::table_excerpt(base::file_content(files.history()), most_history_rows, true)},
             {"materials", names(p.materials.materials)},
             {"conditions", names(p.boundary_conditions.conditions)},
             {"holds_sideways", holds_sideways(p)},
@@ -160,18 +160,13 @@ json data_of(const Deck& deck, const output::RunFiles& files,
   data["tables"] = json::object();
   for (const char* table :
        {"materials.csv", "histograms.csv", "wall_distance.csv", "objects.csv"}) {
-    const std::string text = text_of(files.file(table));
+    const std::string text = base::file_content(files.file(table));
     if (!text.empty()) data["tables"][table] = output::table_excerpt(text, most_table_rows, false);
   }
   return data;
 }
 
 }  // namespace
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 json described_supports(const DeckParameters& parameters, const std::array<double, 3>& length) {
   json supports = json::array();

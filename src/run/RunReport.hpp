@@ -36,7 +36,4 @@ void write_report(const base::Communicator& communicator, const std::string& fol
 nlohmann::json described_supports(const DeckParameters& parameters,
                                   const std::array<double, 3>& length);
 
-/// A file as text; empty where there is none.
-std::string text_of(const std::string& path);
-
 }  // namespace stroma

@@ -5,11 +5,10 @@
 #include <Teuchos_TimeMonitor.hpp>
 #include <Teuchos_XMLParameterListCoreHelpers.hpp>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/base/FileContent.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
 
 namespace stroma {
@@ -21,17 +20,8 @@ std::string xml(const Teuchos::ParameterList& list) {
   return text.str();
 }
 
-namespace {
-
-std::string content_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-}  // namespace
-
 bool is_finished(const std::string& folder, const Deck& deck) {
-  const std::string text = content_of(fs::path(folder) / "deck.xml"), end_of_comment = "-->\n";
+  const std::string text = base::file_content(folder + "/deck.xml"), end_of_comment = "-->\n";
   const std::size_t comment = text.find(end_of_comment);
   const Teuchos::RCP<Teuchos::ParameterList> list = as_run(deck);
   if (comment == std::string::npos || text.substr(comment + end_of_comment.size()) != xml(*list))

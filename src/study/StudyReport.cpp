@@ -12,6 +12,7 @@
 
 #include "run/RunReport.hpp"
 #include "stroma/base/Error.hpp"
+#include "stroma/base/FileContent.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
 #include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/report/ReportPage.hpp"
@@ -36,11 +37,11 @@ json member_of(const std::string& folder, const output::RunFiles& files) {
   const Deck deck = read_deck(files.deck(), {});
   return {{"folder", folder},
           {"title", deck.parameters.title},
-          {"grid", grid_line(text_of(files.log()))},
+          {"grid", grid_line(base::file_content(files.log()))},
           {"has_time", deck.parameters.loading.has_time()},
           {"has_report", std::filesystem::exists(files.file("report.html"))},
           {"supports", described_supports(deck.parameters, {1.0, 1.0, 1.0})},
-          {"history", output::table_excerpt(text_of(files.history()), most_rows, true)}};
+          {"history", output::table_excerpt(base::file_content(files.history()), most_rows, true)}};
 }
 
 /// The first field of a row of study.csv: names of folders need no quotes.
@@ -59,18 +60,20 @@ std::string common_title(const json& members) {
 }
 
 json data_of(const output::RunFiles& files) {
-  const std::string table = text_of(files.file("study.csv"));
-  json data{{"kind", "study"},
-            {"folder", std::filesystem::absolute(files.folder()).filename().string()},
-            {"made_by", output::program_version()},
-            {"log", text_of(files.log())},
-            {"study", output::table_excerpt(table, most_members, false)},
-            {"convergence",
-             output::table_excerpt(text_of(files.file("convergence.csv")), most_members, false)},
-            {"bands", output::table_excerpt(text_of(files.file("bands.csv")), most_rows, true)},
-            {"correlations",
-             output::table_excerpt(text_of(files.file("correlations.csv")), most_members, false)},
-            {"members", json::array()}};
+  const std::string table = base::file_content(files.file("study.csv"));
+  json data{
+      {"kind", "study"},
+      {"folder", std::filesystem::absolute(files.folder()).filename().string()},
+      {"made_by", output::program_version()},
+      {"log", base::file_content(files.log())},
+      {"study", output::table_excerpt(table, most_members, false)},
+      {"convergence", output::table_excerpt(base::file_content(files.file("convergence.csv")),
+                                            most_members, false)},
+      {"bands",
+       output::table_excerpt(base::file_content(files.file("bands.csv")), most_rows, true)},
+      {"correlations", output::table_excerpt(base::file_content(files.file("correlations.csv")),
+                                             most_members, false)},
+      {"members", json::array()}};
   std::istringstream rows(table);
   std::string row;
   std::getline(rows, row);

@@ -7,14 +7,11 @@
 #include <cstdint>
 #include <numeric>
 
-#include "stroma/base/Log.hpp"
-
 namespace stroma {
 namespace {
 
 using output::csv_field;
-
-std::string digits(double value) { return base::format("%.17g", value); }
+using output::csv_number;
 
 void add_new(std::vector<std::string>& list, const std::string& name) {
   if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
@@ -22,7 +19,7 @@ void add_new(std::vector<std::string>& list, const std::string& name) {
 
 std::string last_of(const output::HistoryTable& history, const std::string& column) {
   const std::vector<double>* values = history.find(column);
-  return values == nullptr || values->empty() ? "" : digits(values->back());
+  return values == nullptr || values->empty() ? "" : csv_number(values->back());
 }
 
 std::string sum_of(const output::HistoryTable& history, const std::string& column) {
@@ -100,10 +97,10 @@ std::string study_table(const std::vector<Variation>& variations,
       const auto support = std::find_if(moving.begin(), moving.end(),
                                         [&](const auto& one) { return one.name == name; });
       const bool has_force = at_full_load && support != moving.end();
-      row.push_back(has_force ? digits(force_along(*support, history).back()) : "");
+      row.push_back(has_force ? csv_number(force_along(*support, history).back()) : "");
     }
     for (const std::optional<double>& value : comparison.rows[m])
-      row.push_back(value ? digits(*value) : "");
+      row.push_back(value ? csv_number(*value) : "");
     row.push_back(figure("strain_energy"));
     for (const std::string& name : materials) row.push_back(figure(name + ".von_mises_mean"));
     row.insert(row.end(), {sum_of(history, "newton_iterations"),
@@ -122,9 +119,9 @@ std::string convergence_table(const std::vector<SizeGroup>& groups) {
         group.forces.begin(), group.forces.end(),
         [](const SizedFigure& a, const SizedFigure& b) { return a.size < b.size; });
     const auto& limit = group.limit.extrapolation;
-    table += line_of({group.name, std::to_string(group.forces.size()), digits(finest->size),
-                      digits(finest->figure), limit ? digits(limit->value) : "",
-                      limit ? digits(limit->order) : "", group.limit.undefined_because});
+    table += line_of({group.name, std::to_string(group.forces.size()), csv_number(finest->size),
+                      csv_number(finest->figure), limit ? csv_number(limit->value) : "",
+                      limit ? csv_number(limit->order) : "", group.limit.undefined_because});
   }
   return table;
 }

@@ -20,10 +20,9 @@ namespace {
 
 using base::format;
 using output::csv_field;
+using output::csv_number;
 
 constexpr std::size_t fewest_draws = 5;
-
-std::string digits(double value) { return format("%.17g", value); }
 
 Choice choice_of(const std::string& name, const InputList& inputs,
                  const std::vector<double>& values) {
@@ -38,8 +37,9 @@ struct Draws {
   std::vector<std::size_t> done;     ///< members that are draws and reached full load
   std::vector<ForceRecord> records;  ///< of these
   std::optional<ForceRecord> middle, finer;
-  std::vector<std::string> names;           ///< of inputs
-  std::vector<std::vector<double>> inputs;  ///< (input) (draw that is done)
+  std::vector<std::string> names;                   ///< of inputs
+  std::vector<std::vector<double>> inputs;          ///< (input) (draw that is done)
+  std::vector<std::optional<double>> correlations;  ///< of ranks, of an input and the force
 };
 
 Draws draws_in(const StudyPlan& plan, const std::vector<MemberResult>& results) {
@@ -59,6 +59,10 @@ Draws draws_in(const StudyPlan& plan, const std::vector<MemberResult>& results) 
     for (std::size_t i = 0; i < draws.inputs.size(); ++i)
       draws.inputs[i].push_back(std::stod(choice.settings[i].value));
   }
+  std::vector<double> at_end;
+  for (const ForceRecord& record : draws.records) at_end.push_back(record.force.back());
+  for (const std::vector<double>& input : draws.inputs)
+    draws.correlations.push_back(rank_correlation(input, at_end));
   return draws;
 }
 
@@ -68,8 +72,8 @@ std::string draws_table(const StudyPlan& plan, const Draws& draws) {
   table += ",force\n";
   for (std::size_t n = 0; n < draws.done.size(); ++n) {
     table += plan.members[draws.done[n]].folder;
-    for (const std::vector<double>& input : draws.inputs) table += "," + digits(input[n]);
-    table += "," + digits(draws.records[n].force.back()) + "\n";
+    for (const std::vector<double>& input : draws.inputs) table += "," + csv_number(input[n]);
+    table += "," + csv_number(draws.records[n].force.back()) + "\n";
   }
   return table;
 }
@@ -78,19 +82,13 @@ std::string bands_table(const Draws& draws, const std::vector<double>& loads,
                         const std::vector<Band>& bands) {
   std::string table = "load,low,median,high,middle,finer\n";
   const auto at = [](const std::optional<ForceRecord>& record, double load) {
-    return record ? digits(force_at(*record, load)) : "";
+    return record ? csv_number(force_at(*record, load)) : "";
   };
   for (std::size_t s = 0; s < loads.size(); ++s)
-    table += digits(loads[s]) + "," + digits(bands[s].low) + "," + digits(bands[s].median) + "," +
-             digits(bands[s].high) + "," + at(draws.middle, loads[s]) + "," +
-             at(draws.finer, loads[s]) + "\n";
+    table += csv_number(loads[s]) + "," + csv_number(bands[s].low) + "," +
+             csv_number(bands[s].median) + "," + csv_number(bands[s].high) + "," +
+             at(draws.middle, loads[s]) + "," + at(draws.finer, loads[s]) + "\n";
   return table;
-}
-
-std::vector<double> forces_at_end(const Draws& draws) {
-  std::vector<double> forces;
-  for (const ForceRecord& record : draws.records) forces.push_back(record.force.back());
-  return forces;
 }
 
 std::vector<std::string> summary(const Draws& draws, const Band& end) {
@@ -100,7 +98,7 @@ std::vector<std::string> summary(const Draws& draws, const Band& end) {
              draws.done.size(), end.median, end.low, end.high, 100.0 * (end.low / end.median - 1.0),
              100.0 * (end.high / end.median - 1.0))};
   for (std::size_t i = 0; i < draws.names.size(); ++i) {
-    const auto correlation = rank_correlation(draws.inputs[i], forces_at_end(draws));
+    const std::optional<double>& correlation = draws.correlations[i];
     lines.push_back(format("  rank correlation with %s: %s", draws.names[i].c_str(),
                            correlation ? format("%.3f", *correlation).c_str() : "undefined"));
   }
@@ -113,8 +111,8 @@ std::vector<std::string> summary(const Draws& draws, const Band& end) {
 std::string correlations_table(const Draws& draws) {
   std::string table = "input,force\n";
   for (std::size_t i = 0; i < draws.names.size(); ++i) {
-    const auto correlation = rank_correlation(draws.inputs[i], forces_at_end(draws));
-    table += csv_field(draws.names[i]) + "," + (correlation ? digits(*correlation) : "") + "\n";
+    const std::optional<double>& correlation = draws.correlations[i];
+    table += csv_field(draws.names[i]) + "," + (correlation ? csv_number(*correlation) : "") + "\n";
   }
   return table;
 }

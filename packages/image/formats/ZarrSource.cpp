@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "stroma/base/FileContent.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
 #include "stroma/image/formats/LengthUnit.hpp"
@@ -39,8 +40,7 @@ std::string text_of(const std::string& folder, const char* name) {
   std::error_code ignored;
   if (fs::file_size(path, ignored) > longest_header)
     refuse(folder, std::string("its ") + name + " is larger than any header");
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return base::file_content(path.string());
 }
 
 class ZarrSource : public ImageSource {

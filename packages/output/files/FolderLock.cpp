@@ -11,11 +11,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/base/FileContent.hpp"
 
 namespace stroma::output {
 namespace {
@@ -36,8 +35,7 @@ std::string this_host() {
 /// When a process began: a number may have gone to another process since. "gone" if it has ended.
 std::string start_of(long process) {
   if (kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) return "gone";
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = base::file_content("/proc/" + std::to_string(process) + "/stat");
   const std::size_t name_end = text.rfind(')');  // the name may hold anything
   if (name_end == std::string::npos) return "?";
   std::istringstream fields(text.substr(name_end + 1));
@@ -55,11 +53,6 @@ std::string content_of_own_lock() {
 bool is_gone(const Holder& holder) {
   const std::string start = start_of(holder.process);
   return start == "gone" || (start != "?" && holder.start != "?" && start != holder.start);
-}
-
-std::string content_of(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 bool write_new(const std::string& path, const std::string& content) {
@@ -83,7 +76,7 @@ FolderLock::FolderLock(std::string folder)
 }
 
 FolderLock::~FolderLock() {
-  if (content_of(path_) == content_of_own_lock()) unlink(path_.c_str());
+  if (base::file_content(path_) == content_of_own_lock()) unlink(path_.c_str());
 }
 
 /// A file with its content appears at once where a file can be given a second name. \return false
@@ -124,7 +117,7 @@ void FolderLock::judge() {
       opened.st_ino != named.st_ino)
     return;
   Holder holder;
-  std::istringstream(content_of(path_)) >> holder.host >> holder.process >> holder.start;
+  std::istringstream(base::file_content(path_)) >> holder.host >> holder.process >> holder.start;
   const std::string who =
       "process " + std::to_string(holder.process) + " on " +
       (holder.host == this_host() ? "this machine" : "the machine '" + holder.host + "'");

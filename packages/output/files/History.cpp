@@ -13,7 +13,7 @@ namespace stroma::output {
 namespace {
 
 std::string digits(std::int64_t value) { return std::to_string(value); }
-std::string digits(double value) { return base::format("%.17g", value); }
+std::string digits(double value) { return csv_number(value); }
 
 /// Calls use(value) with the entries of a row in the order of the columns, counts as integers.
 template <class Row, class Use>

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/base/Log.hpp"
 
 namespace stroma::output {
 std::vector<std::string> csv_fields(const std::string& line) {
@@ -33,6 +34,8 @@ std::optional<double> csv_number(const std::string& field) {
   if (failure != std::errc() || end != field.data() + field.size()) return std::nullopt;
   return number;
 }
+
+std::string csv_number(double value) { return base::format("%.17g", value); }
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

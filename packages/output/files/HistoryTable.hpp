@@ -15,6 +15,8 @@ namespace stroma::output {
 
 /// Quotes a field of a CSV file where it has to be: a comma, a quote or a line break (RFC 4180).
 std::string csv_field(const std::string& text);
+/// A number in a CSV file, with all its digits.
+std::string csv_number(double value);
 /// The fields of a line of a CSV file, their quotes taken off.
 std::vector<std::string> csv_fields(const std::string& line);
 /// The number that a field holds and nothing else, or nothing.

@@ -6,21 +6,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
+#include "stroma/base/FileContent.hpp"
 #include "stroma/base/Log.hpp"
 
 namespace stroma::output {
 namespace {
 
 using base::format;
-
-/// The whole file; empty if it cannot be read.
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 }  // namespace
 
@@ -65,8 +58,8 @@ std::string raster_clause(const Raster& raster, const std::string& name, std::si
 }
 
 StoredRaster read_raster(const std::string& folder, const std::string& name) {
-  const std::string script = content_of(folder + "/" + name + ".gp");
-  const std::string bytes = content_of(folder + "/" + name + ".raw");
+  const std::string script = base::file_content(folder + "/" + name + ".gp");
+  const std::string bytes = base::file_content(folder + "/" + name + ".raw");
   if (script.empty() || bytes.empty())
     return {std::nullopt, "there is no " + folder + "/" + name + ".raw with its script"};
   const std::string head = "'" + name + ".raw' binary array=";
