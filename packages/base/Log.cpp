@@ -33,12 +33,21 @@ void Log::open_file(const std::string& path, bool continued) {
 
 void Log::line(const std::string& text) {
   if (!communicator_.is_root()) return;
+  progress_line_.hide();
   if (!quiet_) write_through(stdout, text + "\n", output_error_);
+  progress_line_.show(progress_text_);
   if (file_) {
     write_through(file_.get(), text + "\n", file_error_);
   } else {
     before_file_ += text + "\n";
   }
+}
+
+void Log::progress(const std::string& text) {
+  if (!communicator_.is_root() || quiet_) return;
+  progress_text_ = text;
+  if (text.empty()) progress_line_.hide();
+  progress_line_.show(text);
 }
 
 void Log::require_written() const {

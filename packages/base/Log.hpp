@@ -11,6 +11,7 @@
 #include <string>
 
 #include "stroma/base/Communicator.hpp"
+#include "stroma/base/ProgressLine.hpp"
 
 namespace stroma::base {
 
@@ -35,6 +36,15 @@ class Log {
   /// A line that the user should not overlook: prefixed "note: ".
   void note(const std::string& text) { line("note: " + text); }
 
+  /// Renews the line at the bottom of the terminal, where there is one (ProgressLine); lines are
+  /// printed above it. It is in no file.
+  /// \param text  of the line; empty: it goes
+  void progress(const std::string& text);
+  /// Whether that can be seen.
+  bool shows_progress() const {
+    return communicator_.is_root() && !quiet_ && ProgressLine::is_possible();
+  }
+
   /// Collective. \throws RunError on all ranks when a line did not reach the file, or, where there
   /// is no file, standard output
   void require_written() const;
@@ -51,6 +61,8 @@ class Log {
 
   Communicator communicator_;
   bool quiet_;
+  ProgressLine progress_line_;
+  std::string progress_text_;
   std::string before_file_;
   std::string path_;
   std::unique_ptr<std::FILE, Close> file_;

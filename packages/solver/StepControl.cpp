@@ -51,6 +51,12 @@ void StepControl::accept() {
   now_.size = was_whole ? whole : std::min(2.0 * now_.size, whole);
 }
 
+int StepControl::remaining() const {
+  StepControl rest = *this;
+  while (!rest.finished()) rest.accept();
+  return rest.accepted() - accepted();
+}
+
 bool StepControl::reject() {
   const double half = 0.5 * (next() - now_.load);
   if (half < parameters_.smallest_step) return false;

@@ -35,6 +35,8 @@ class StepControl {
   bool reject();
   /// Steps accepted so far.
   int accepted() const { return now_.accepted; }
+  /// Steps to come, if none of them is rejected.
+  int remaining() const;
 
  private:
   /// The deck's step that a load factor lies in: its end, and its length.

@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "stroma/base/Session.hpp"
@@ -20,6 +21,7 @@ double RunLog::seconds() const { return MPI_Wtime() - start_; }
 
 void RunLog::go_on(const output::HistoryRow& row) {
   start_ -= row.wall_seconds;
+  if (row.load > 0.0) full_load_at_ = row.wall_seconds / row.load;
   log_->line(
       format("goes on    after step %lld, load %.6g", static_cast<long long>(row.step), row.load));
 }
@@ -50,9 +52,26 @@ void RunLog::describe(const Specimen& specimen, const mechanics::MomentumBalance
     if (!note.empty()) log_->note(note);
 }
 
+void RunLog::show_progress(const std::string& state) {
+  if (step_.empty()) return;
+  std::string time = format("   %.0f s", seconds());
+  if (full_load_at_ > 0.0)
+    time += format(", about %.0f s left", std::max(full_load_at_ - seconds(), 0.0));
+  log_->progress(step_ + state + time);
+}
+
+void RunLog::begin_step(const solver::StepControl& load) {
+  step_.clear();
+  if (!log_->shows_progress()) return;
+  step_ = format("step %d of %d   load %.4g to %.4g", load.accepted() + 1,
+                 load.accepted() + load.remaining(), load.load(), load.next());
+  show_progress("");
+}
+
 void RunLog::newton(int iteration, double residual, long long linear_iterations) {
   log_->line(format("    Newton %2d   residual %.2e   %6lld linear iterations   %8.1f s", iteration,
                     residual, linear_iterations, seconds()));
+  show_progress(format("   Newton %d   residual %.1e", iteration, residual));
 }
 
 void RunLog::compare_pieces(const mechanics::PiecesSummary& before, const mechanics::Supports& now,
@@ -73,6 +92,8 @@ void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResul
       "%.0f s left",
       load.accepted(), load.load(), time.c_str(), solved.iterations, solved.linear_iterations,
       solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
+  full_load_at_ = seconds() / load.load();
+  if (load.finished()) log_->progress("");
   if (solved.is_limited_by_rounding && !std::exchange(has_told_of_rounding_, true))
     log_->note(format(
         "rounding limits the residual to %.1e of the forces; more iterations would not lower it",

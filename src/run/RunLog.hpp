@@ -16,10 +16,14 @@
 
 namespace stroma {
 
-/// The lines and notes of one run's log, and its clock, which starts with it.
+/// The lines and notes of one run's log, its line of progress, which goes with it, and its clock,
+/// which starts with it.
 class RunLog {
  public:
   RunLog(const base::Communicator& communicator, const Deck& deck, base::Log& log);
+  RunLog(const RunLog&) = delete;
+  RunLog& operator=(const RunLog&) = delete;
+  ~RunLog() { log_->progress(""); }
 
   /// Wall time since the run began [s], that of the runs included which it goes on from.
   double seconds() const;
@@ -28,6 +32,8 @@ class RunLog {
   void go_on(const output::HistoryRow& row);
   /// Specimen, grid and particles, and what should be known of them. Collective.
   void describe(const Specimen& specimen, const mechanics::MomentumBalance& balance);
+  /// The step to load.next() begins.
+  void begin_step(const solver::StepControl& load);
   void newton(int iteration, double residual, long long linear_iterations);
   /// Says so when the body came apart, or together, with the grid's reset.
   void compare_pieces(const mechanics::PiecesSummary& before, const mechanics::Supports& now,
@@ -39,10 +45,14 @@ class RunLog {
   void stabilization(const mechanics::MovingBody& body);
 
  private:
+  void show_progress(const std::string& state);
+
   base::Communicator communicator_;
   const Deck* deck_;
   base::Log* log_;
   double start_;
+  std::string step_ = {};      ///< that is being solved, as the line of progress has it
+  double full_load_at_ = 0.0;  ///< seconds() by the steps so far; 0: none yet
   bool has_told_of_rounding_ = false, has_told_of_holds_ = false;
 };
 

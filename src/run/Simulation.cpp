@@ -112,6 +112,7 @@ void Run::take_steps() {
 /// \return nothing when it was halved
 /// \throws StepFailed when Loading|Smallest Step forbids it, or the step cannot be begun
 std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& trial) {
+  say.begin_step(load);
   try {
     const mechanics::PiecesSummary before = body.balance().supports().pieces();
     solver::begin_step(body, newton);

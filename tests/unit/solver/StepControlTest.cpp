@@ -44,6 +44,7 @@ TEST(StepControl, ARejectedStepIsHalvedAndGrowsBack) {
   EXPECT_DOUBLE_EQ(control.next(), 0.1875);  // doubled: 0.125
   control.accept();
   EXPECT_DOUBLE_EQ(control.next(), 0.25);  // the multiple of 1/4 is met
+  EXPECT_EQ(control.remaining(), 4);
   control.accept();
   EXPECT_DOUBLE_EQ(control.next(), 0.5);
 }
