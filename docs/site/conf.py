@@ -30,7 +30,7 @@ html_show_copyright = False
 
 # The pages in the order of the navigation. What stands in no list follows in the last one.
 NAVIGATION = {
-    "Use": ["docs/first_run", "docs/looking_at_results", "docs/deck_reference", "input_decks/README", "docs/report", "docs/studies", "docs/study_reference", "docs/fit", "docs/fit_reference", "docs/performance"],
+    "Use": ["docs/first_run", "docs/looking_at_results", "docs/deck_reference", "input_decks/README", "docs/rigs", "docs/report", "docs/studies", "docs/study_reference", "docs/fit", "docs/fit_reference", "docs/performance"],
     "Method": ["docs/theory", "docs/notation", "docs/verification", "docs/paper_study"],
     "Code": ["docs/architecture", "docs/extending", "docs/coupling", "docs/api"],
 }

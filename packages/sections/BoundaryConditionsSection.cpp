@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "stroma/sections/Faces.hpp"
 #include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::sections {
@@ -13,14 +14,9 @@ using namespace mechanics;
 deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   deck::Section<BoundaryCondition> condition(
       "NAME", "One condition; NAME is the user's and appears in the results.");
-  condition.required_choice("Face", &BoundaryCondition::face,
-                            {{"x-", Face::x_lower},
-                             {"x+", Face::x_upper},
-                             {"y-", Face::y_lower},
-                             {"y+", Face::y_upper},
-                             {"z-", Face::z_lower},
-                             {"z+", Face::z_upper},
-                             {"all", Face::all}},
+  auto faces = single_faces();
+  faces.emplace_back("all", Face::all);
+  condition.required_choice("Face", &BoundaryCondition::face, faces,
                             "A face of the body's box, or all six.");
   condition.required(
       "Components", &BoundaryCondition::components, deck::not_empty(),
@@ -44,15 +40,13 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   condition.optional("Center [um]", &BoundaryCondition::center, deck::any(),
                      "A point on the axis of Rotation [deg]. Without it: the middle of the body's "
                      "box.");
-  condition.choice(
-      "Imposed By", &BoundaryCondition::imposed_by,
-      {{"Nodes", ImposedBy::nodes}, {"Grip", ImposedBy::grip}, {"Penalty", ImposedBy::penalty}},
-      "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay in "
-      "its plane (its normal displacement is prescribed as zero). Grip: the particles "
-      "within one element of the face at load 0 are moved, with all nodes that they "
-      "touch. Penalty: springs move points of the face that ride beside the outermost "
-      "particles; for every shape function, with Grid|Reset and without. Without it: "
-      "Nodes, or Grip with Grid|Reset.");
+  condition.choice("Imposed By", &BoundaryCondition::imposed_by, ways_of_imposing(),
+                   "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay in "
+                   "its plane (its normal displacement is prescribed as zero). Grip: the particles "
+                   "within one element of the face at load 0 are moved, with all nodes that they "
+                   "touch. Penalty: springs move points of the face that ride beside the outermost "
+                   "particles; for every shape function, with Grid|Reset and without. Without it: "
+                   "Nodes, or Grip with Grid|Reset.");
   condition.optional(
       "Penalty Factor", &BoundaryCondition::penalty_factor, deck::positive(),
       "Stiffness of the springs of Imposed By = Penalty: per area, Penalty Factor * (K + 4/3 mu) / "
@@ -115,8 +109,9 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   });
 
   deck::Section<BoundaryConditionsParameters> section(
-      "Boundary Conditions", "One sublist for each condition, named by the user.");
-  section.named_sections(condition, &BoundaryConditionsParameters::conditions);
+      "Boundary Conditions",
+      "One sublist for each condition, named by the user. Required, unless there is a Rig.");
+  section.named_sections(condition, &BoundaryConditionsParameters::conditions, 0);
   return section;
 }
 

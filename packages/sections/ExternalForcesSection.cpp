@@ -2,6 +2,8 @@
 
 #include "stroma/sections/ExternalForcesSection.hpp"
 
+#include "stroma/sections/Faces.hpp"
+
 namespace stroma::sections {
 
 using namespace mechanics;
@@ -18,13 +20,7 @@ deck::Section<ExternalForcesParameters> external_forces_section() {
       "Traction [Pa]", &ExternalForce::traction, deck::any(),
       "Force per area of the undeformed Face at full load, x, y, z; it keeps its direction. "
       "It acts at the points of the face beside the outermost particles.");
-  force.choice("Face", &ExternalForce::face,
-               {{"x-", Face::x_lower},
-                {"x+", Face::x_upper},
-                {"y-", Face::y_lower},
-                {"y+", Face::y_upper},
-                {"z-", Face::z_lower},
-                {"z+", Face::z_upper}},
+  force.choice("Face", &ExternalForce::face, single_faces(),
                "The face of the body's box on which a Traction acts.");
   force.optional(
       "Load Curve", &ExternalForce::load_curve, deck::not_empty(),

@@ -114,6 +114,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   const grid::Grid& grid = specimen.body;
   check_image(communicator, deck, specimen, labels, log);
 
+  for (const std::string& line : describe_rig(deck.parameters)) log.line("rig         " + line);
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
                                            problem_of(deck, specimen));
   std::int64_t filled = 0;

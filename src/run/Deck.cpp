@@ -20,6 +20,7 @@
 #include "stroma/sections/MaterialsSection.hpp"
 #include "stroma/sections/OutputSection.hpp"
 #include "stroma/sections/ParticlesSection.hpp"
+#include "stroma/sections/RigSection.hpp"
 #include "stroma/sections/SolverSection.hpp"
 
 namespace stroma {
@@ -75,6 +76,7 @@ void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& finding
   };
   for (const auto& [name, condition] : p.boundary_conditions.conditions)
     look_for("Boundary Conditions|" + name, condition.load_curve);
+  if (p.rig) look_for("Rig", p.rig->load_curve);
   for (const auto& [name, force] : p.external_forces.forces)
     look_for("External Forces|" + name, force.load_curve);
   for (const auto& [name, material] : p.materials.materials) {
@@ -147,13 +149,19 @@ deck::Section<DeckParameters> deck_section() {
   section.required_section(sections::materials_section(), &DeckParameters::materials);
   section.section(sections::particles_section(), &DeckParameters::particles);
   section.required_section(sections::grid_section(), &DeckParameters::grid);
-  section.required_section(sections::boundary_conditions_section(),
-                           &DeckParameters::boundary_conditions);
+  section.section(sections::boundary_conditions_section(), &DeckParameters::boundary_conditions);
+  section.section(sections::rig_section(), &DeckParameters::rig);
   section.section(sections::external_forces_section(), &DeckParameters::external_forces);
   section.section(sections::load_curves_section(), &DeckParameters::load_curves);
   section.section(sections::loading_section(), &DeckParameters::loading);
   section.section(sections::solver_section(), &DeckParameters::solver);
   section.section(sections::output_section(), &DeckParameters::output);
+  section.check([](const DeckParameters& p, deck::Findings& findings) {
+    if (!p.rig && p.boundary_conditions.conditions.empty())
+      findings.add("Boundary Conditions", "missing; admissible: one condition or more, or a Rig");
+    if (p.rig && !p.boundary_conditions.conditions.empty())
+      findings.add("Rig", "beside Boundary Conditions; admissible: one of the two");
+  });
   section.check(refuse_fields_without_intensities);
   section.check(refuse_unknown_load_curves);
   section.check(refuse_viscosity_without_time);
@@ -173,6 +181,8 @@ deck::Section<DeckParameters> deck_section() {
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides) {
   deck::Document document = deck::load(path, overrides);
   DeckParameters parameters = deck::read(document, deck_section());
+  if (parameters.rig)
+    parameters.boundary_conditions.conditions = mechanics::conditions_of(*parameters.rig);
   attach_load_curves(parameters);
   for_each_image_file(parameters, [&](const std::string& where, const std::string& name) {
     const std::string problem = deck::unwritable(absolute(document, name));  // in deck.xml
@@ -181,6 +191,23 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
                              "; move the image, or rename its folder");
   });
   return {std::move(document), std::move(parameters), base::file_content(path), overrides};
+}
+
+std::vector<std::string> describe_rig(const DeckParameters& parameters) {
+  if (!parameters.rig) return {};
+  std::vector<std::string> lines{parameters.rig->kind + ", that is, Boundary Conditions:"};
+  const deck::Section<mechanics::BoundaryConditionsParameters> section =
+      sections::boundary_conditions_section();
+  const deck::NamedDeclaration& conditions = *section.declaration().named;
+  for (const auto& [name, condition] : conditions.all(&parameters.boundary_conditions)) {
+    std::string line;
+    for (const deck::ParameterDeclaration& parameter : conditions.each->parameters)
+      if (const std::optional<deck::Value> value = parameter.fetch(condition))
+        line += (line.empty() ? "  " + name + ": " : ", ") + parameter.name + " = " +
+                deck::print(*value);
+    lines.push_back(line);
+  }
+  return lines;
 }
 
 std::vector<std::string> input_files(const Deck& deck) {
@@ -201,14 +228,16 @@ Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
   for_each_image_file(parameters, [&](const std::string&, std::string& file) {
     file = absolute(deck.document, file);
   });
+  parameters.rig.reset();
   if (!parameters.loading.times) parameters.loading.steps = parameters.loading.equal_steps();
   return deck::filled(deck_section(), parameters);
 }
 
 base::InputError located(const Deck& deck, const base::InputError& error) {
   static const std::vector<std::string> sections{
-      "Image",           "Materials",   "Particles", "Grid",   "Boundary Conditions",
-      "External Forces", "Load Curves", "Loading",   "Solver", "Output"};
+      "Image", "Materials",       "Particles",   "Grid",    "Boundary Conditions",
+      "Rig",   "External Forces", "Load Curves", "Loading", "Solver",
+      "Output"};
   deck::Findings findings(deck.document);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) {
@@ -218,7 +247,10 @@ base::InputError located(const Deck& deck, const base::InputError& error) {
     if (colon == std::string::npos ||
         std::find(sections.begin(), sections.end(), section) == sections.end())
       return error;
-    findings.add(where, line.substr(colon + 2));
+    if (deck.parameters.rig && section == "Boundary Conditions")
+      findings.add("Rig", "its " + line);
+    else
+      findings.add(where, line.substr(colon + 2));
   }
   try {
     findings.throw_if_any();

@@ -19,6 +19,7 @@
 #include "stroma/mechanics/problem/ExternalForces.hpp"
 #include "stroma/mechanics/problem/GridParameters.hpp"
 #include "stroma/mechanics/problem/LoadCurve.hpp"
+#include "stroma/mechanics/problem/Rigs.hpp"
 #include "stroma/output/OutputParameters.hpp"
 #include "stroma/particles/Seeding.hpp"
 #include "stroma/solver/SolverParameters.hpp"
@@ -31,7 +32,9 @@ struct DeckParameters {
   material::MaterialsParameters materials;
   particles::ParticleParameters particles;
   mechanics::GridParameters grid;
-  mechanics::BoundaryConditionsParameters boundary_conditions;
+  mechanics::BoundaryConditionsParameters
+      boundary_conditions;                      ///< of a deck that was read: the rig's, too
+  std::optional<mechanics::RigParameters> rig;  ///< in their place
   mechanics::ExternalForcesParameters external_forces;
   mechanics::LoadCurvesParameters load_curves;
   solver::LoadingParameters loading;
@@ -69,8 +72,12 @@ std::vector<std::string> input_files(const Deck& deck);
 /// The files that its run writes.
 std::vector<std::string> run_files(const Deck& deck);
 
-/// The deck as run, every default filled in and the image's file name absolute, so that it can be
-/// run again from any folder.
+/// The conditions that the deck's rig stands for, a line each after one that names it; none without
+/// a rig.
+std::vector<std::string> describe_rig(const DeckParameters& parameters);
+
+/// The deck as run, every default filled in, its rig as the conditions that it stands for, and the
+/// image's file name absolute, so that it can be run again from any folder.
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);
 
 /// Mistakes that show only once the image is read, as mistakes of the deck: a line that starts with

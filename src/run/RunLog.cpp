@@ -40,6 +40,7 @@ void RunLog::describe(const Specimen& specimen, const mechanics::MomentumBalance
                     static_cast<long long>(grid.elements[2]), grid.spacing[0], grid.spacing[1],
                     grid.spacing[2], static_cast<long long>(balance.supports().unknowns())));
   for (const std::string& field : specimen.fields) log_->line(field);
+  for (const std::string& line : describe_rig(deck_->parameters)) log_->line("rig        " + line);
   log_->line("dilatation " + specimen.dilatation);
   log_->line(format("particles  %lld, on %s", static_cast<long long>(specimen.particle_count),
                     base::ranks_and_threads(communicator_).c_str()));

@@ -406,12 +406,48 @@ TEST(GrowingVesselDeck, GrowsToTwiceItsVolume) {
               1e-6 * std::abs(history["left.reaction_x"].back()));
 }
 
+// V-RIG-4. The force on the moved face stands in the README of the decks.
+TEST(RigDecks, BalanceAndHaveTheForcesOfTheirTable) {
+  struct RigDeck {
+    const char *name, *column;
+    double nanonewtons;
+  };
+  const RigDeck all[] = {{"clamped_extension", "moved.reaction_y", 179.0},
+                         {"roller_extension", "moved.reaction_y", 158.7},
+                         {"confined_compression", "moved.reaction_y", -431.9},
+                         {"unconfined_compression", "moved.reaction_y", -196.7},
+                         {"simple_shear", "moved.reaction_x", 44.8},
+                         {"biaxial", "moved_y.reaction_y", 239.4},
+                         {"torsion", "moved.reaction_z", -3.5}};
+  std::ptrdiff_t decks_there = 0;
+  for (const auto& entry : fs::directory_iterator(decks / "15_rigs"))
+    decks_there += entry.path().extension() == ".yaml" ? 1 : 0;
+  EXPECT_EQ(decks_there, std::end(all) - std::begin(all));
+  for (const RigDeck& deck : all) {
+    SCOPED_TRACE(deck.name);
+    const TemporaryFolder results;
+    const Outcome run = run_input(results, "15_rigs/" + std::string(deck.name) + ".yaml", {});
+    ASSERT_EQ(run.status, 0) << run.standard_error;
+    const History history(results.path() / "out" / "history.csv");
+    EXPECT_NEAR(1e-3 * history[deck.column].back(), deck.nanonewtons, 0.051);
+    for (const char axis : {'x', 'y', 'z'})
+      for (std::size_t s = 0; s < history.rows(); ++s) {
+        double sum = 0.0;
+        for (const std::string& column : history.names())
+          if (column.find(std::string("reaction_") + axis) != std::string::npos)
+            sum += history[column][s];
+        EXPECT_NEAR(sum, 0.0, 1e-6 * std::abs(history[deck.column].back()));
+      }
+  }
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study, 14_fit_vessel_modulus by tests/verification/fit.
   std::vector<std::string> tested{
-      "04_simple_shear", "06_resolution_study", "09_tissue_laws",    "10_ramp_and_hold",
-      "11_fiber_gel",    "12_contracting_cell", "13_growing_vessel", "14_fit_vessel_modulus"};
+      "04_simple_shear",   "06_resolution_study",   "09_tissue_laws",
+      "10_ramp_and_hold",  "11_fiber_gel",          "12_contracting_cell",
+      "13_growing_vessel", "14_fit_vessel_modulus", "15_rigs"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))
