@@ -54,4 +54,8 @@ class Handle {
   Close close_ = nullptr;
 };
 
+/// Writes a text beside an object, as an attribute of ASCII or UTF-8 without an end. Collective.
+/// \return  whether it is there
+bool put_text(const Handle& object, const char* name, const std::string& text);
+
 }  // namespace stroma::hdf

@@ -10,6 +10,10 @@ namespace stroma::output {
 
 std::vector<std::string> run_files(const OutputParameters& wanted) {
   std::vector<std::string> names = run_files(wanted.pictures, wanted.report);
+  if (wanted.vtkhdf)
+    for (const char* of : {"particles", "grid"})
+      for (const char* ending : {".hdf", ".hdf.series", ".hdf.series.new"})
+        names.push_back(std::string(of) + ending);
   if (!wanted.image_stacks) return names;
   for (const bool is_deformed : are_deformed(*wanted.image_stacks)) {
     const std::string file =

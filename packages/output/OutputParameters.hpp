@@ -40,6 +40,7 @@ struct OutputParameters {
   int checkpoint_every = 0;          ///< load steps between checkpoints; 0: no matter how many
   double checkpoint_minutes = 10.0;  ///< between checkpoints; 0: no matter how many
   Precision precision = Precision::Double;
+  bool vtkhdf = false;  ///< the same steps as VTKHDF, too
   std::optional<ImageStacksParameters> image_stacks;
   bool pictures = true;
   bool report = true;

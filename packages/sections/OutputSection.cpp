@@ -90,6 +90,9 @@ deck::Section<OutputParameters> output_section() {
           {{"Double", Precision::Double}, {"Single", Precision::Single}},
           "Floating-point numbers in particles.e and grid.e: Double (8 bytes) or Single (4 bytes, "
           "half the space).")
+      .optional("VTKHDF", &OutputParameters::vtkhdf, deck::any(),
+                "Write the steps of particles.e and grid.e as VTKHDF, too: one file a step for all "
+                "ranks, particles-s0003.hdf, and their list, particles.hdf.series, for ParaView.")
       .section(image_stacks_section(), &OutputParameters::image_stacks)
       .optional("Pictures", &OutputParameters::pictures, deck::any(),
                 "Draw vessels.png, von_mises.png and force.png with gnuplot at the end.")

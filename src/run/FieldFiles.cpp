@@ -13,6 +13,8 @@
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/mechanics/body/Lattice.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
+#include "stroma/output/files/VtkhdfGrid.hpp"
+#include "stroma/output/files/VtkhdfParticles.hpp"
 
 namespace stroma {
 
@@ -24,6 +26,8 @@ FieldFiles::FieldFiles(const base::Communicator& communicator, const Deck& deck,
       folder_(folder),
       conditions_(names(deck.parameters.boundary_conditions.conditions)),
       materials_(names(deck.parameters.materials.materials)),
+      vtkhdf_particles_(communicator, folder.folder(), "particles"),
+      vtkhdf_grid_(communicator, folder.folder(), "grid"),
       provenance_{deck.parameters.title, output::program_version(), deck.text} {}
 
 namespace {
@@ -47,6 +51,23 @@ bool cut_all(const base::Communicator& communicator, const std::string& path,
   return !communicator.any(!is_good);
 }
 
+using FilledElements = Kokkos::View<std::uint8_t*, grid::Device>;
+
+/// The elements of this rank that have particles.
+/// \param filled  of them; must outlive the part
+output::GridPart part_of(const grid::Partition& partition, int rank, const FilledElements& filled) {
+  const grid::Grid& grid = partition.grid();
+  const grid::Box elements = partition.elements(rank);
+  output::GridPart part;
+  part.elements = grid.elements;
+  part.first_element = elements.begin;
+  for (int d = 0; d < 3; ++d) part.element_count[d] = elements.extent(d);
+  part.origin = grid.origin;
+  part.spacing = grid.spacing;
+  part.active = filled.data();
+  return part;
+}
+
 /// On rank 0. \return  whether there was a file
 bool remove_all(const base::Communicator& communicator, const std::string& path, int ranks) {
   bool was_any = false;
@@ -57,7 +78,14 @@ bool remove_all(const base::Communicator& communicator, const std::string& path,
 
 }  // namespace
 
-std::string FieldFiles::resume(const FieldFilesEnd& end) {
+std::string FieldFiles::resume(const FieldFilesEnd& end,
+                               const std::vector<output::HistoryRow>& rows) {
+  if (deck_->parameters.output.vtkhdf) {
+    std::vector<output::StepSeries::Step> steps;
+    for (const output::HistoryRow& row : rows) steps.emplace_back(row.step, row.time);
+    vtkhdf_particles_.resume(steps);
+    vtkhdf_grid_.resume(steps);
+  }
   const int ranks = static_cast<int>(end.particles.size());
   const auto own = static_cast<std::size_t>(communicator_.rank());
   const bool are_ours = ranks == communicator_.size(), is_reset = deck_->parameters.grid.reset;
@@ -101,7 +129,9 @@ bool FieldFiles::adopt(const mechanics::MomentumBalance& balance) {
     particle_file_->copy_steps(folder_.particles(), ranks, particle_set());
   }
   if (adopted_.grid_step >= 0) {
-    open_grid_file(balance, grid::lattice_under(balance.halo().partition()));
+    const grid::Partition lattice = grid::lattice_under(balance.halo().partition());
+    const auto filled = balance.body().filled_elements(lattice);
+    open_grid_file(part_of(lattice, communicator_.rank(), filled));
     grid_file_->copy_steps(folder_.grid(), ranks);
   }
   return adopted_.particles_step >= 0 || adopted_.grid_step >= 0;
@@ -183,14 +213,18 @@ output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance
   };
 }
 
-void FieldFiles::open_particle_file(const mechanics::MomentumBalance& balance) {
+std::vector<output::ShownField> FieldFiles::shown(const mechanics::MomentumBalance& balance) const {
   std::vector<output::ShownField> fields;
   for (const ShownValues& one : shown_fields(communicator_, deck_->parameters.materials.materials,
                                              *specimen_, balance.body().particles()))
     fields.push_back(one.field);
+  return fields;
+}
+
+void FieldFiles::open_particle_file(const mechanics::MomentumBalance& balance) {
   particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
                          output::history_columns(conditions_, materials_), provenance_,
-                         deck_->parameters.output.precision, fields,
+                         deck_->parameters.output.precision, shown(balance),
                          std::exchange(particles_continued_, std::nullopt));
 }
 
@@ -199,21 +233,28 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
   const base::Stage stage("output");
   if (!particle_file_) open_particle_file(balance);
   particle_file_->write(row.time, particle_set(), states(balance, u), output::history_values(row));
+  if (deck_->parameters.output.vtkhdf) write_vtkhdf_particles(row, balance, u);
   particles_step_ = row.step;
 }
 
-void FieldFiles::open_grid_file(const mechanics::MomentumBalance& balance,
-                                const grid::Partition& partition) {
-  const grid::Grid& grid = partition.grid();
-  const grid::Box elements = partition.elements(communicator_.rank());
-  const auto filled = balance.body().filled_elements(partition);
-  output::GridPart part;
-  part.elements = grid.elements;
-  part.first_element = elements.begin;
-  for (int d = 0; d < 3; ++d) part.element_count[d] = elements.extent(d);
-  part.origin = grid.origin;
-  part.spacing = grid.spacing;
-  part.active = filled.data();
+std::vector<output::VtkhdfNumber> FieldFiles::numbers(const output::HistoryRow& row) const {
+  const std::vector<std::string> names = output::history_columns(conditions_, materials_);
+  const std::vector<double> values = output::history_values(row);
+  std::vector<output::VtkhdfNumber> numbers;
+  for (std::size_t n = 0; n < names.size(); ++n) numbers.push_back({names[n], values[n]});
+  return numbers;
+}
+
+void FieldFiles::write_vtkhdf_particles(const output::HistoryRow& row,
+                                        const mechanics::MomentumBalance& balance,
+                                        const grid::Vector& u) {
+  output::write_vtkhdf_particles(communicator_, vtkhdf_particles_.path(row.step), particle_set(),
+                                 states(balance, u), shown(balance), numbers(row),
+                                 deck_->parameters.output.precision);
+  vtkhdf_particles_.add({row.step, row.time});
+}
+
+void FieldFiles::open_grid_file(const output::GridPart& part) {
   std::optional<output::FileEnd> continued = std::exchange(grid_continued_, std::nullopt);
   if (deck_->parameters.grid.reset) continued.reset();  // each step has a file of its own
   if (!continued) ++grid_files_;
@@ -236,7 +277,12 @@ void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBa
     lattice->forces_at_nodes(force, force_at_nodes);
   }
   // A grid that is reset has other elements in each step, and so a file of its own.
-  if (!grid_file_ || deck_->parameters.grid.reset) open_grid_file(balance, halo.partition());
+  const bool is_new = !grid_file_ || deck_->parameters.grid.reset;
+  const bool as_vtkhdf = deck_->parameters.output.vtkhdf;
+  const auto filled =
+      is_new || as_vtkhdf ? balance.body().filled_elements(halo.partition()) : FilledElements();
+  const output::GridPart part = part_of(halo.partition(), communicator_.rank(), filled);
+  if (is_new) open_grid_file(part);
   const auto gathered = [&](const grid::Vector& vector, double share) {
     const grid::ConstNodeView view = halo.gather(vector);
     std::vector<double> values(view.data(), view.data() + view.size());
@@ -251,6 +297,11 @@ void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBa
   const std::vector<double> displacement = gathered(lattice ? displacement_at_nodes : u, 1.0);
   const std::vector<double> residual = gathered(lattice ? force_at_nodes : force, 0.5);
   grid_file_->write(row.time, displacement.data(), residual.data());
+  if (as_vtkhdf) {
+    output::write_vtkhdf_grid(communicator_, vtkhdf_grid_.path(row.step), part, displacement.data(),
+                              residual.data(), numbers(row), deck_->parameters.output.precision);
+    vtkhdf_grid_.add({row.step, row.time});
+  }
   grid_step_ = row.step;
 }
 

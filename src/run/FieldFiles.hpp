@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// The files of fields of one run: particles.e and grid.e.
+/// The files of fields of one run: particles.e and grid.e, and the same as VTKHDF.
 
 #include <cstdint>
 #include <optional>
@@ -17,6 +17,8 @@
 #include "stroma/output/files/History.hpp"
 #include "stroma/output/files/ParticleFile.hpp"
 #include "stroma/output/files/RunFolder.hpp"
+#include "stroma/output/files/StepSeries.hpp"
+#include "stroma/output/files/VtkhdfFile.hpp"
 
 namespace stroma {
 
@@ -30,16 +32,19 @@ struct FieldFilesEnd {
 };
 
 /// Writes particles.e, grid.e and, on a grid that is reset, a file of the grid for each step; each
-/// is opened when it is first written. All but on_disk() and particle_set() is collective.
+/// is opened when it is first written. Where the deck asks for VTKHDF, a file of that for each step
+/// of both. All but on_disk() and particle_set() is collective.
 class FieldFiles {
  public:
   FieldFiles(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
              const output::RunFolder& folder);
 
   /// Goes on with the files of an earlier run: what comes behind their ends is cut off. Collective.
+  /// \param end   of those that go on from step to step
+  /// \param rows  the steps so far
   /// \return  what a user should know of it, or empty
   /// \throws base::RunError when a file cannot be changed
-  std::string resume(const FieldFilesEnd& end);
+  std::string resume(const FieldFilesEnd& end, const std::vector<output::HistoryRow>& rows);
   /// Copies what another number of ranks has written into files of this one's, but for grids that
   /// were reset, whose files stay: each has a mesh of its own. Collective.
   /// \return  whether there was anything
@@ -66,10 +71,14 @@ class FieldFiles {
                              const grid::Vector& u) const;
 
  private:
+  std::vector<output::ShownField> shown(const mechanics::MomentumBalance& balance) const;
   void open_particle_file(const mechanics::MomentumBalance& balance);
   void write_particles(const output::HistoryRow& row, const mechanics::MomentumBalance& balance,
                        const grid::Vector& u);
-  void open_grid_file(const mechanics::MomentumBalance& balance, const grid::Partition& partition);
+  std::vector<output::VtkhdfNumber> numbers(const output::HistoryRow& row) const;
+  void write_vtkhdf_particles(const output::HistoryRow& row,
+                              const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  void open_grid_file(const output::GridPart& part);
   void write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                   const grid::Vector& u);
 
@@ -78,6 +87,7 @@ class FieldFiles {
   const Specimen* specimen_;
   output::RunFolder folder_;
   std::vector<std::string> conditions_, materials_;
+  output::StepSeries vtkhdf_particles_, vtkhdf_grid_;
   output::Provenance provenance_;
   std::optional<output::ParticleFile> particle_file_;
   std::optional<output::GridFile> grid_file_;

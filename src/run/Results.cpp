@@ -29,7 +29,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
       stacks_(communicator, deck, specimen, folder),
       rows_(so_far.rows) {
   if (!rows_.empty()) {
-    const std::string note = fields_.resume(so_far.files);
+    const std::string note = fields_.resume(so_far.files, rows_);
     if (!note.empty()) log.note(note);
     stacks_.resume(rows_.back().step);
   }

@@ -12,32 +12,8 @@
 namespace stroma::output {
 namespace {
 
-using Index3 = std::array<std::int64_t, 3>;
-
-/// A box of nodes, numbered x fastest; end is one past the last.
-struct NodeBox {
-  Index3 begin{};
-  Index3 end{};
-
-  bool empty() const { return begin[0] >= end[0] || begin[1] >= end[1] || begin[2] >= end[2]; }
-  std::int64_t size() const {
-    return empty() ? 0 : (end[0] - begin[0]) * (end[1] - begin[1]) * (end[2] - begin[2]);
-  }
-  std::int64_t index(std::int64_t i, std::int64_t j, std::int64_t k) const {
-    return i - begin[0] +
-           (end[0] - begin[0]) * (j - begin[1] + (end[1] - begin[1]) * (k - begin[2]));
-  }
-  template <class Use>
-  void for_each(const Use& use) const {
-    if (empty()) return;
-    for (std::int64_t k = begin[2]; k < end[2]; ++k)
-      for (std::int64_t j = begin[1]; j < end[1]; ++j)
-        for (std::int64_t i = begin[0]; i < end[0]; ++i) use(i, j, k);
-  }
-};
-
-NodeBox intersection(const NodeBox& a, const NodeBox& b) {
-  NodeBox both;
+IndexBox intersection(const IndexBox& a, const IndexBox& b) {
+  IndexBox both;
   for (std::size_t d = 0; d < 3; ++d) {
     both.begin[d] = std::max(a.begin[d], b.begin[d]);
     both.end[d] = std::min(a.end[d], b.end[d]);
@@ -45,47 +21,9 @@ NodeBox intersection(const NodeBox& a, const NodeBox& b) {
   return both;
 }
 
-NodeBox element_box(const GridPart& part) {
-  NodeBox box;
-  for (std::size_t d = 0; d < 3; ++d) {
-    box.begin[d] = part.first_element[d];
-    box.end[d] = part.first_element[d] + part.element_count[d];
-  }
-  return box;
-}
-
-NodeBox node_box(const GridPart& part) {
-  NodeBox box = element_box(part);
-  if (box.empty()) return {};
-  for (std::int64_t& end : box.end) ++end;
-  return box;
-}
-
-/// Calls use(i, j, k) for the active elements of the box, in order.
-template <class Use>
-void for_each_active(const GridPart& part, const Use& use) {
-  const NodeBox box = element_box(part);
-  box.for_each([&](std::int64_t i, std::int64_t j, std::int64_t k) {
-    if (part.active == nullptr || part.active[box.index(i, j, k)] != 0) use(i, j, k);
-  });
-}
-
-/// Index in the box of the corners of an element, in the order of HEX8.
-std::array<std::int64_t, 8> corners(const NodeBox& box, std::int64_t i, std::int64_t j,
-                                    std::int64_t k) {
-  return {box.index(i, j, k),
-          box.index(i + 1, j, k),
-          box.index(i + 1, j + 1, k),
-          box.index(i, j + 1, k),
-          box.index(i, j, k + 1),
-          box.index(i + 1, j, k + 1),
-          box.index(i + 1, j + 1, k + 1),
-          box.index(i, j + 1, k + 1)};
-}
-
 /// The node boxes of all ranks: 6 integers a rank.
-std::vector<NodeBox> boxes_of_all(const base::Communicator& communicator, const NodeBox& own) {
-  std::vector<NodeBox> boxes(static_cast<std::size_t>(communicator.size()));
+std::vector<IndexBox> boxes_of_all(const base::Communicator& communicator, const IndexBox& own) {
+  std::vector<IndexBox> boxes(static_cast<std::size_t>(communicator.size()));
   for (std::size_t d = 0; d < 3; ++d) {
     const auto begins = communicator.gather(own.begin[d]);
     const auto ends = communicator.gather(own.end[d]);
@@ -105,17 +43,17 @@ struct Neighbour {
 
 /// Neighbours tell each other which nodes of their common face, edge or corner they use.
 /// Collective.
-std::vector<Neighbour> find_shared(const base::Communicator& communicator, const NodeBox& own,
+std::vector<Neighbour> find_shared(const base::Communicator& communicator, const IndexBox& own,
                                    const std::vector<std::uint8_t>& used) {
   struct Exchange {
     int rank;
-    NodeBox common;
+    IndexBox common;
     std::vector<std::uint8_t> mine, theirs;
   };
   std::vector<Exchange> exchanges;
-  const std::vector<NodeBox> boxes = boxes_of_all(communicator, own);
+  const std::vector<IndexBox> boxes = boxes_of_all(communicator, own);
   for (int rank = 0; rank < communicator.size(); ++rank) {
-    const NodeBox common = intersection(own, boxes[static_cast<std::size_t>(rank)]);
+    const IndexBox common = intersection(own, boxes[static_cast<std::size_t>(rank)]);
     if (rank == communicator.rank() || common.empty()) continue;
     Exchange exchange{rank, common, {}, {}};
     common.for_each([&](std::int64_t i, std::int64_t j, std::int64_t k) {
@@ -165,47 +103,16 @@ std::int64_t count_global_nodes(const base::Communicator& communicator,
 const std::vector<std::string> nodal_variables = {
     "displacement_x", "displacement_y", "displacement_z", "residual_x", "residual_y", "residual_z"};
 
-/// Calls next() for consecutive used nodes and gives their index in the box.
-class UsedNodes {
- public:
-  explicit UsedNodes(const std::vector<std::uint8_t>& used) : used_(used) {}
-  std::int64_t next() {
-    while (used_[static_cast<std::size_t>(index_)] == 0) ++index_;
-    return index_++;
-  }
-
- private:
-  const std::vector<std::uint8_t>& used_;
-  std::int64_t index_ = 0;
-};
-
-/// Where the node of a number of the box lies in the whole grid.
-Index3 place_of(const NodeBox& box, std::int64_t n) {
-  const std::int64_t width = box.end[0] - box.begin[0], height = box.end[1] - box.begin[1];
-  return {box.begin[0] + n % width, box.begin[1] + n / width % height,
-          box.begin[2] + n / (width * height)};
-}
-
-/// Number of a node of the whole grid, from 1.
-std::int64_t id_of(const GridPart& part, const Index3& n) {
-  return 1 + n[0] + (part.elements[0] + 1) * (n[1] + (part.elements[1] + 1) * n[2]);
-}
-
 /// Coordinates and global numbers of the used nodes.
-void put_nodes(const ExodusFile& file, const GridPart& part, const NodeBox& box,
+void put_nodes(const ExodusFile& file, const GridPart& part, const IndexBox& box,
                const std::vector<std::uint8_t>& used, std::int64_t used_count) {
   const char* axes[3] = {"x", "y", "z"};
   file.check(ex_put_coord_names(file.id(), const_cast<char**>(axes)), "the names of the axes");
   if (used_count == 0) return;
-  const auto place = [&](std::int64_t n) { return place_of(box, n); };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     UsedNodes nodes(used);
     ExodusFile::in_pieces<double>(
-        used_count,
-        [&](std::int64_t) {
-          return part.origin[axis] +
-                 part.spacing[axis] * static_cast<double>(place(nodes.next())[axis]);
-        },
+        used_count, [&](std::int64_t) { return coordinate(part, box.place(nodes.next()), axis); },
         [&](std::int64_t start, std::int64_t size, const double* values) {
           file.check(
               ex_put_partial_coord(file.id(), start, size, axis == 0 ? values : nullptr,
@@ -215,7 +122,7 @@ void put_nodes(const ExodusFile& file, const GridPart& part, const NodeBox& box,
   }
   UsedNodes nodes(used);
   ExodusFile::in_pieces<std::int64_t>(
-      used_count, [&](std::int64_t) { return id_of(part, place(nodes.next())); },
+      used_count, [&](std::int64_t) { return node_id(part, box.place(nodes.next())); },
       [&](std::int64_t start, std::int64_t size, const std::int64_t* ids) {
         file.check(ex_put_partial_id_map(file.id(), EX_NODE_MAP, start, size, ids),
                    "the node numbers");
@@ -223,7 +130,7 @@ void put_nodes(const ExodusFile& file, const GridPart& part, const NodeBox& box,
 }
 
 /// Connectivity and global numbers of the active elements.
-void put_elements(const ExodusFile& file, const GridPart& part, const NodeBox& box,
+void put_elements(const ExodusFile& file, const GridPart& part, const IndexBox& box,
                   const std::vector<std::int64_t>& local_number) {
   std::vector<std::int64_t> connectivity, ids;
   std::int64_t start = 1;
@@ -257,13 +164,10 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
       path_(spread_file_name(path, communicator.size(), communicator.rank())),
       part_(part) {
   part_.active = nullptr;  // the caller's
-  const NodeBox box = node_box(part);
-  used_.assign(static_cast<std::size_t>(box.size()), 0);
+  const IndexBox box = node_box(part);
+  used_ = used_nodes(part);
   std::int64_t elements = 0;
-  for_each_active(part, [&](std::int64_t i, std::int64_t j, std::int64_t k) {
-    for (const std::int64_t node : corners(box, i, j, k)) used_[static_cast<std::size_t>(node)] = 1;
-    ++elements;
-  });
+  for_each_active(part, [&](std::int64_t, std::int64_t, std::int64_t) { ++elements; });
   std::vector<std::int64_t> local_number(used_.size(), 0);  // in this file, from 1; 0: unused
   for (std::size_t n = 0; n < used_.size(); ++n) {
     if (used_[n] != 0) local_number[n] = ++used_count_;
@@ -339,11 +243,11 @@ void GridFile::write(double time, const double* displacement, const double* resi
 }
 
 void GridFile::copy_steps(const std::string& path, int ranks) {
-  const NodeBox box = node_box(part_);
+  const IndexBox box = node_box(part_);
   std::vector<std::int64_t> ids;
   UsedNodes nodes(used_);
   for (std::int64_t n = 0; n < used_count_; ++n)
-    ids.push_back(id_of(part_, place_of(box, nodes.next())));
+    ids.push_back(node_id(part_, box.place(nodes.next())));
   std::optional<SpreadFiles> before;
   base::collectively(communicator_,
                      [&] { before.emplace(path, ranks, ExodusStep::At::nodes, ids); });

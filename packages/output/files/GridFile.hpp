@@ -5,7 +5,6 @@
 /// \file
 /// grid.e: the background grid with nodal displacement and residual, as an Exodus file.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,21 +13,9 @@
 #include "stroma/base/Communicator.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
 #include "stroma/output/files/ExodusStep.hpp"
+#include "stroma/output/files/GridPart.hpp"
 
 namespace stroma::output {
-
-/// The box of elements that one rank holds of a structured Cartesian grid. Elements and nodes are
-/// numbered x fastest, then y, then z: within the box for arrays, over the whole grid for the
-/// numbers in the file.
-struct GridPart {
-  std::array<std::int64_t, 3> elements{};       ///< of the whole grid, in x, y, z
-  std::array<std::int64_t, 3> first_element{};  ///< of this rank's box
-  std::array<std::int64_t, 3> element_count{};  ///< of this rank's box; any may be 0: nothing here
-  std::array<double, 3> origin{};               ///< of the whole grid's first node [um]
-  std::array<double, 3> spacing{};              ///< of the nodes [um]
-  /// (element of this rank's box) not 0: write it. Null: write all.
-  const std::uint8_t* active = nullptr;
-};
 
 /// Writes grid.e, or under N > 1 ranks the spread files grid.e.N.r: the active elements as one
 /// block `grid` of HEX8, the nodes they use, and at each step the nodal variables

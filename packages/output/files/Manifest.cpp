@@ -126,6 +126,7 @@ bool Manifest::begins_as_written(const std::string& file_path) {
   if (ending == ".csv")
     return is("step,load,") || is("member,") || is("series,") || is("run,") || is("parameter,") ||
            is("measurement,") || is("load,") || is("input,");
+  if (ending == ".series") return is("{\n \"file-series-version\"");
   if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
   if (ending == ".png") return is("\x89PNG");
   if (ending == ".tif") return is("II") || is("MM");
@@ -135,9 +136,11 @@ bool Manifest::begins_as_written(const std::string& file_path) {
 
 std::string Manifest::name_of(const std::string& file) {
   static const std::regex spread("((particles|grid)\\.e)(-s[0-9]+)?(\\.[0-9]+\\.[0-9]+)?");
+  static const std::regex step("(particles|grid)-s[0-9]+(\\.hdf)(\\.new)?");
   static const std::regex stack("(image_(un)?deformed)-s[0-9]+(\\.ome\\.(tif|zarr)(\\.new)?)");
   std::smatch parts;
   if (std::regex_match(file, parts, stack)) return parts[1].str() + parts[3].str();
+  if (std::regex_match(file, parts, step)) return parts[1].str() + parts[2].str();
   return std::regex_match(file, parts, spread) ? parts[1].str() : file;
 }
 

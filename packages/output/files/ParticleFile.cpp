@@ -82,10 +82,8 @@ void put_elements(const ExodusFile& file, const ParticleSet& particles, std::siz
     const auto size = static_cast<std::int64_t>(members.size());
     file.check(ex_put_partial_elem_conn(id, block, start, size, nodes.data()), "the connectivity");
 
-    constexpr double pi = 3.14159265358979323846;
     attribute.clear();
-    for (const std::int64_t p : members)
-      attribute.push_back(std::cbrt(0.75 / pi * particles.volume[p]));
+    for (const std::int64_t p : members) attribute.push_back(radius_of(particles.volume[p]));
     file.check(ex_put_partial_one_attr(id, EX_ELEM_BLOCK, block, start, size, 1, attribute.data()),
                "the radii");
     attribute.clear();
@@ -185,6 +183,11 @@ ParticleFile::ParticleFile(const base::Communicator& communicator, const std::st
     file.close();
     end_ = end_of(path_);
   });
+}
+
+double radius_of(double volume) {
+  constexpr double pi = 3.14159265358979323846;
+  return std::cbrt(0.75 / pi * volume);
 }
 
 StatePieces in_one_piece(std::int64_t count, const ParticleState& state) {

@@ -28,6 +28,9 @@ struct ParticleSet {
   const std::uint8_t* material = nullptr;  ///< (particle) index into the list of materials
 };
 
+/// Of a ball of some volume [um].
+double radius_of(double volume);
+
 /// Hands out the states of all particles of a rank in pieces: calls use(first, count, state) for
 /// consecutive ranges that together are the whole set; state's pointers begin at the particle
 /// `first`. So nobody has to keep the state of all particles at once. Does not communicate.

@@ -15,6 +15,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/hdf/Handle.hpp"
+#include "stroma/output/files/Room.hpp"
 
 namespace stroma::output {
 namespace {
@@ -58,15 +59,6 @@ void select(hid_t space, const Slab& box) {
   H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, count.data(), nullptr);
 }
 
-/// Writes a text beside a dataset. \return  whether it is there
-bool put_text(const Handle& dataset, const char* name, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
-  H5Tset_size(type.get(), std::max<std::size_t>(text.size(), 1));
-  const Handle attribute(
-      H5Acreate2(dataset.get(), name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  return attribute.good() && H5Awrite(attribute.get(), type.get(), text.c_str()) >= 0;
-}
-
 /// This rank's box in pieces along the first axis, which end where chunks do: HDF5 keeps a copy of all
 /// that is written at a time.
 std::vector<Slab> pieces_of(const StateArray& array, hsize_t rows_of_chunk, std::uint64_t bytes) {
@@ -106,7 +98,7 @@ bool put(const base::Communicator& communicator, const Handle& file, const State
   if (communicator.size() > 1) H5Pset_dxpl_mpio(together.get(), H5FD_MPIO_COLLECTIVE);
   const std::vector<Slab> pieces = pieces_of(array, chunk[0], piece_bytes);
   const auto* values = static_cast<const char*>(array.values);
-  bool is_good = put_text(dataset, "about", array.about);
+  bool is_good = hdf::put_text(dataset, "about", array.about);
   for (std::size_t n = 0; n < communicator.max(pieces.size()); ++n) {
     const Slab piece = n < pieces.size() ? pieces[n] : Slab{array.mine.begin, {0}};
     const hsize_t count = piece.size();
@@ -121,24 +113,6 @@ bool put(const base::Communicator& communicator, const Handle& file, const State
     values += count * bytes_of(array.type);
   }
   return dataset.close() && is_good;
-}
-
-/// Makes sure, on one rank, that the disk takes a file of this size: what fails here fails cleanly,
-/// before others depend on it.
-void require_room(const std::string& path, std::uint64_t bytes) {
-  const auto fail = [&] {
-    const int reason = errno;
-    ::unlink(path.c_str());
-    throw base::RunError("cannot write '" + path + "': " + std::strerror(reason));
-  };
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (file < 0) fail();
-  const int made = ::fallocate(file, 0, 0, static_cast<off_t>(bytes));
-  const int reason = errno;
-  ::close(file);
-  errno = reason;
-  if (made != 0 && reason != EOPNOTSUPP && reason != ENOSYS) fail();
-  ::unlink(path.c_str());
 }
 
 void sync(const std::string& path) {
