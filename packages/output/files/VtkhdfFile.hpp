@@ -39,11 +39,17 @@ struct VtkhdfColumn {
 class VtkhdfPieces {
  public:
   virtual ~VtkhdfPieces() = default;
+  /// \param first   of them
+  /// \param count   how many
   /// \param values  (point, xyz) [um]
   virtual void points(std::int64_t first, std::int64_t count, const double* values) const = 0;
+  /// \param first   of them
+  /// \param count   how many
   /// \param points  (cell, corner) in VTK's order; points of this rank, from 0
   virtual void cells(std::int64_t first, std::int64_t count, const std::int64_t* points) const = 0;
   /// \param column  which
+  /// \param first   of its rows
+  /// \param count   how many
   /// \param values  (point, component)
   virtual void column(std::size_t column, std::int64_t first, std::int64_t count,
                       const double* values) const = 0;
