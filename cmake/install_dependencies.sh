@@ -30,7 +30,8 @@ lint=(
 )
 case ${1:-test} in
   demo) ;;
-  test) packages+=(ccache libgtest-dev chromium chromium-driver python3-selenium python3-tifffile python3-zarr) ;;
+  test) packages+=(ccache libgtest-dev chromium chromium-driver python3-selenium python3-tifffile python3-zarr
+                   python3-paraview xvfb) ;;
   docs) packages=("${docs[@]}") ;;
   lint) packages=("${lint[@]}") ;;
   *) sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
