@@ -11,6 +11,42 @@ namespace stroma::sections {
 
 using namespace mechanics;
 
+namespace {
+
+deck::Section<DisplacementImages> displacement_images_section() {
+  deck::Section<DisplacementImages> section(
+      "Displacement Images",
+      "Displacement at full load, in um, by images of its components, such as measured ones: at each "
+      "point of the face between the centres of voxels, trilinear. Not with Grid|Reset.");
+  section.required(
+      "Images", &DisplacementImages::images, deck::not_empty(),
+      "Files, relative to the deck: three, of the components x, y, z, or one whose "
+      "channels they are. Of components that the condition does not prescribe nothing is "
+      "read.");
+  section.optional("Channels", &DisplacementImages::channels, deck::not_negative(),
+                   "Channels of the components x, y, z, counted from 0. Without it: 0 of three "
+                   "files; 0, 1, 2 of one.");
+  section.optional("Dataset", &DisplacementImages::dataset, deck::not_empty(), "Of HDF5 files.");
+  section.optional("Frame", &DisplacementImages::frame, deck::not_negative(),
+                   "Of time series, from 0.");
+  section.optional(
+      "Voxel Size [um]", &DisplacementImages::voxel_size, deck::positive(),
+      "Sides of their voxels along x, y, z; they need not be the specimen's. Without it: "
+      "the files' own.");
+  section.optional(
+      "Corner [um]", &DisplacementImages::corner, deck::any(),
+      "Where the lower corner of their first voxel lies, from that of the first voxel of "
+      "the specimen's whole image.");
+  section.check([](const DisplacementImages& p, deck::Findings& findings) {
+    if (p.images.size() != 1 && p.images.size() != 3)
+      findings.add("Images", "found " + std::to_string(p.images.size()) +
+                                 " files; admissible: three, or one that holds all components");
+  });
+  return section;
+}
+
+}  // namespace
+
 deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   deck::Section<BoundaryCondition> condition(
       "NAME", "One condition; NAME is the user's and appears in the results.");
@@ -22,8 +58,9 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       "Components", &BoundaryCondition::components, deck::not_empty(),
       "The displacement components it prescribes: a selection of xyz, such as y or xyz.");
   condition.optional("Displacement [um]", &BoundaryCondition::displacement, deck::any(),
-                     "Displacement at full load, x, y, z. Without any of Displacement, Strain and "
-                     "Displacement Gradient the components are held at zero.");
+                     "Displacement at full load, x, y, z. Without any of Displacement, Strain, "
+                     "Displacement Gradient, Rotation and Displacement Images the components are "
+                     "held at zero.");
   condition.optional(
       "Strain", &BoundaryCondition::strain, deck::any(),
       "Displacement along the outward normal at full load, as a fraction of the body's "
@@ -56,6 +93,7 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       "Load Curve", &BoundaryCondition::load_curve, deck::not_empty(),
       "The name of one of the Load Curves, by which the value is multiplied; without "
       "it, by the load factor.");
+  condition.section(displacement_images_section(), &BoundaryCondition::images);
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
       const char c = p.components[n];
@@ -71,13 +109,15 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       }
     }
     const int given = (p.displacement ? 1 : 0) + (p.strain ? 1 : 0) +
-                      (p.displacement_gradient ? 1 : 0) + (p.rotation ? 1 : 0);
+                      (p.displacement_gradient ? 1 : 0) + (p.rotation ? 1 : 0) + (p.images ? 1 : 0);
     if (given > 1)
-      findings.add(p.rotation ? "Rotation [deg]"
-                   : p.strain ? "Strain"
-                              : "Displacement Gradient",
-                   "more than one of \"Displacement [um]\", \"Strain\", \"Displacement Gradient\" "
-                   "and \"Rotation [deg]\" is given; admissible: one of them");
+      findings.add(
+          p.images     ? "Displacement Images"
+          : p.rotation ? "Rotation [deg]"
+          : p.strain   ? "Strain"
+                       : "Displacement Gradient",
+          "more than one of \"Displacement [um]\", \"Strain\", \"Displacement Gradient\", "
+          "\"Rotation [deg]\" and \"Displacement Images\" is given; admissible: one of them");
     if (p.axis && !p.rotation) findings.add("Axis", "is used with \"Rotation [deg]\" only");
     if (p.center && !p.rotation)
       findings.add("Center [um]", "is used with \"Rotation [deg]\" only");

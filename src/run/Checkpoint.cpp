@@ -110,7 +110,7 @@ bool is_still(const mechanics::BoundaryCondition& condition) {
   const auto is_zero = [](const auto& numbers) {
     return std::all_of(numbers.begin(), numbers.end(), [](double x) { return x == 0.0; });
   };
-  return is_zero(condition.displacement.value_or(std::array<double, 3>{})) &&
+  return !condition.images && is_zero(condition.displacement.value_or(std::array<double, 3>{})) &&
          is_zero(condition.displacement_gradient.value_or(std::array<double, 9>{})) &&
          condition.strain.value_or(0.0) == 0.0 && condition.rotation.value_or(0.0) == 0.0;
 }

@@ -104,6 +104,14 @@ void attach_load_curves(DeckParameters& p) {
   attach(p.external_forces.forces);
 }
 
+/// Images tell where the points of the undeformed body go, and a grid that is reset forgets those.
+void refuse_displacement_images_with_reset(const DeckParameters& p, deck::Findings& findings) {
+  for (const auto& [name, condition] : p.boundary_conditions.conditions)
+    if (condition.images && p.grid.reset)
+      findings.add("Boundary Conditions|" + name + "|Displacement Images",
+                   "are not for a grid that is reset; admissible with them: Grid|Reset = false");
+}
+
 /// A mean dilatation asks for laws with an energy of volume.
 void refuse_mean_without_energy_of_volume(const DeckParameters& p, deck::Findings& findings) {
   if (p.grid.dilatation != mechanics::DilatationChoice::element_mean) return;
@@ -137,6 +145,10 @@ void for_each_image_file(DeckParameters& p,
       for (std::string& file : fibers.images) visit(where + "Fibers|" + family + "|Images", file);
     }
   }
+  for (auto& [name, condition] : p.boundary_conditions.conditions)
+    if (condition.images)
+      for (std::string& file : condition.images->images)
+        visit("Boundary Conditions|" + name + "|Displacement Images|Images", file);
 }
 
 deck::Section<DeckParameters> deck_section() {
@@ -165,6 +177,7 @@ deck::Section<DeckParameters> deck_section() {
   section.check(refuse_fields_without_intensities);
   section.check(refuse_unknown_load_curves);
   section.check(refuse_viscosity_without_time);
+  section.check(refuse_displacement_images_with_reset);
   section.check(refuse_mean_without_energy_of_volume);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "run/MeasuredDisplacements.hpp"
 #include "run/MemoryEstimate.hpp"
 #include "run/OwnNumbers.hpp"
 #include "stroma/base/Error.hpp"
@@ -115,6 +116,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
     files.insert(files.end(), images.files().begin(), images.files().end());
   }
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
+  auto displacements = measured_displacements(communicator, deck, grid, partition, files);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
   Specimen specimen{image.summary,
                     grid,
@@ -127,6 +129,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     {},
                     {},
                     {},
+                    std::move(displacements),
                     std::move(files)};
   const material::Compressibility of_volume = material::compressibility(materials);
   specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
@@ -174,6 +177,8 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   problem.duration = p.loading.seconds();
   problem.drives = drives_of(p);
   problem.conditions = p.boundary_conditions.conditions;
+  for (std::size_t m = 0; m < problem.conditions.size(); ++m)
+    problem.conditions[m].second.field = specimen.displacements[m];
   problem.forces = p.external_forces.forces;
   for (const auto& named : p.materials.materials)
     if (named.second.density) problem.density.push_back(*named.second.density);

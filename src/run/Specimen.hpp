@@ -5,6 +5,8 @@
 /// \file
 /// The specimen as the deck describes it, ready to be computed with.
 
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "run/Deck.hpp"
@@ -38,7 +40,10 @@ struct Specimen {
   std::vector<material::SmallStrainModuli> extremes;
   std::vector<std::vector<int>> own_numbers;  ///< (material) that particles give (OwnNumbers)
   std::vector<std::string> fields;            ///< a line on each
-  std::vector<std::string> files;  ///< that it was read from: of its image, then of its fields
+  /// (condition) of its images, or null
+  std::vector<std::shared_ptr<const mechanics::DisplacementField>> displacements;
+  std::vector<std::string>
+      files;  ///< that it was read from: of its image, its fields, displacements
 };
 
 /// What is solved on the specimen.

@@ -13,11 +13,13 @@
 
 namespace stroma::test {
 
-/// Writes NAME.mhd and NAME.raw with intensity(i, j, k) at each voxel, as bytes or as floats.
+/// Writes NAME.mhd and NAME.raw with intensity(i, j, k) at each voxel, as bytes, floats or doubles.
 template <class Value, class Intensity>
 void write_stack(const TemporaryFolder& folder, const std::string& name,
                  const std::array<int, 3>& size, const Intensity& intensity) {
-  const char* type = sizeof(Value) == 1 ? "MET_UCHAR" : "MET_FLOAT";
+  const char* type = sizeof(Value) == 1   ? "MET_UCHAR"
+                     : sizeof(Value) == 4 ? "MET_FLOAT"
+                                          : "MET_DOUBLE";
   folder.write(name + ".mhd",
                "ObjectType = Image\nNDims = 3\nDimSize = " + std::to_string(size[0]) + " " +
                    std::to_string(size[1]) + " " + std::to_string(size[2]) + "\nElementType = " +

@@ -60,6 +60,7 @@ double BoundaryCondition::at_factor(int component, const Vector& position, const
                                     const Vector& length, double factor) const {
   const auto c = static_cast<std::size_t>(component);
   if (displacement) return factor * (*displacement)[c];
+  if (field) return factor * field->at(component, position);
   if (strain && axis_of(*face) == component)
     return factor * ((is_upper(*face) ? 1.0 : -1.0) * *strain * length[c]);
   if (displacement_gradient) {
@@ -109,6 +110,7 @@ std::array<double, 3> BoundaryCondition::carried_from(const Vector& x, double lo
                                                       const Vector& length) const {
   const double factor = curve.at(load);
   Vector X = x;
+  if (field) return X;
   if (displacement_gradient) {
     tensor::Tensor3 motion = tensor::identity();
     for (int c = 0; c < 3; ++c)
@@ -148,7 +150,7 @@ bool BoundaryCondition::is_self_contained() const {
 
 bool BoundaryCondition::stays_in_plane() const {
   const int normal = axis_of(*face);
-  if (normal < 0 || !prescribes(normal)) return false;
+  if (normal < 0 || !prescribes(normal) || field) return false;
   const auto n = static_cast<std::size_t>(normal);
   if (displacement) return (*displacement)[n] == 0.0;
   if (strain) return *strain == 0.0;
@@ -161,7 +163,7 @@ bool BoundaryCondition::stays_in_plane() const {
 
 int BoundaryCondition::loaded_component(const std::array<double, 3>& length) const {
   int loaded = -1;
-  if (rotation) return loaded;
+  if (rotation || images) return loaded;
   double largest = 0.0;
   for (int c = 0; c < 3; ++c) {
     if (!prescribes(c)) continue;

@@ -6,11 +6,13 @@
 /// What holds and moves the body's faces.
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "stroma/mechanics/problem/DisplacementField.hpp"
 #include "stroma/mechanics/problem/LoadCurve.hpp"
 
 namespace stroma::mechanics {
@@ -27,7 +29,7 @@ bool is_upper(Face face);
 /// by a penalty, stiff springs on points of the face that ride beside the outermost particles.
 enum class ImposedBy { nodes, grip, penalty };
 
-/// One condition on the displacement of a face. At most one of the four values is given; without
+/// One condition on the displacement of a face. At most one of the five values is given; without
 /// any, the components are held at zero.
 struct BoundaryCondition {
   std::optional<Face> face;
@@ -38,18 +40,20 @@ struct BoundaryCondition {
   std::optional<double> rotation;               ///< angle at full load, right-handed [deg]
   std::optional<std::array<double, 3>> axis;    ///< of the rotation, of any length; else the normal
   std::optional<std::array<double, 3>> center;  ///< on the axis [um]; else the body box's middle
-  std::optional<ImposedBy> imposed_by;          ///< else: nodes without grid reset, grip with it
+  std::optional<DisplacementImages> images;     ///< of the displacement at full load
+  std::shared_ptr<const DisplacementField> field = {};  ///< what they hold around the face
+  std::optional<ImposedBy> imposed_by;  ///< else: nodes without grid reset, grip with it
   /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
   std::optional<double> penalty_factor;   ///< else 2e4
   std::optional<std::string> load_curve;  ///< the deck's name of `curve`
-  LoadCurve curve = {};                   ///< the factor s of the four values
+  LoadCurve curve = {};                   ///< the factor s of the five values
 
   bool prescribes(int component) const {
     return components.find("xyz"[component]) != std::string::npos;
   }
 
   /// Displacement component [um] of a point of the face at a load factor, of which s is the curve's
-  /// factor: s times the given displacement, or strain * length along the outward normal, or G (X - corner); or, about the
+  /// factor: s times the given displacement, or that of the images at X, or strain * length along the outward normal, or G (X - corner); or, about the
   /// unit axis a, with r = X - center and the angle t = s * rotation,
   ///
   ///     u = sin t  a x r + (1 - cos t)  a x (a x r).
@@ -77,7 +81,8 @@ struct BoundaryCondition {
   bool is_linear() const { return !rotation && curve.is_load(); }
 
   /// The point X of the undeformed body [um] that the condition has carried to a position x [um] at
-  /// a load factor: x = X + u(X). Components that it does not prescribe count as not moved.
+  /// a load factor: x = X + u(X). Components that it does not prescribe count as not moved. Images
+  /// are for grids that are not reset, whose nodes are where they were.
   std::array<double, 3> carried_from(const std::array<double, 3>& x, double load,
                                      const std::array<double, 3>& corner,
                                      const std::array<double, 3>& length) const;
@@ -90,7 +95,8 @@ struct BoundaryCondition {
   /// Whether the face stays in its plane: its normal displacement is prescribed as zero everywhere.
   bool stays_in_plane() const;
 
-  /// Component along which the face moves most at s = 1, -1 if it stays or turns.
+  /// Component along which the face moves most at s = 1, -1 if it stays, turns or
+  /// follows images.
   int loaded_component(const std::array<double, 3>& length) const;
 
  private:

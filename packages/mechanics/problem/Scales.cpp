@@ -45,10 +45,14 @@ void check_single(const std::string& where, const std::string& of_what, double l
       where.c_str(), of_what.c_str(), least >= smallest ? most : least, smallest, largest));
 }
 
-/// Displacements that a condition prescribes at the corners of the body.
+/// Displacements that a condition prescribes at the corners of the body, or the largest of images.
 Range displacements(const BoundaryCondition& condition, const grid::Grid& body) {
   const std::array<double, 3> length = body.lengths();
   Range range;
+  if (condition.field) {
+    range.add(condition.field->largest());
+    return range;
+  }
   for (int corner = 0; corner < 8; ++corner) {
     std::array<double, 3> X = body.origin;
     for (std::size_t d = 0; d < 3; ++d) X[d] += (corner >> d & 1) * length[d];

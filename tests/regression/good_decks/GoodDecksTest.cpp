@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "stroma/material/AnyLaw.hpp"
@@ -441,13 +442,46 @@ TEST(RigDecks, BalanceAndHaveTheForcesOfTheirTable) {
   }
 }
 
+/// Displacements of the particles of a run at its end, by the nearest thousandth of a micrometre of
+/// where they were.
+std::map<std::array<long, 3>, std::array<double, 3>> displacements(const fs::path& run) {
+  const ExodusReader particles((run / "particles.e").string());
+  const auto X = particles.coordinates();
+  std::map<std::array<long, 3>, std::array<double, 3>> found;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto u =
+        particles.variable(particles.steps(), EX_NODAL, std::string("displacement_") + "xyz"[c], 1,
+                           particles.counts.num_nodes);
+    for (std::size_t p = 0; p < u.size(); ++p)
+      found[{std::lround(1e3 * X[0][p]), std::lround(1e3 * X[1][p]), std::lround(1e3 * X[2][p])}]
+           [c] = u[p];
+  }
+  return found;
+}
+
+// V-DVC-2. The faces of the region move as the whole did there, and so does what is inside.
+TEST(MeasuredDisplacementsDeck, RepeatsTheInteriorOfTheWhole) {
+  const TemporaryFolder copy;
+  fs::copy(decks / "16_measured_displacements", copy.path(), fs::copy_options::recursive);
+  for (const char* deck : {"whole", "region"}) {
+    const Outcome run = run_stroma(copy.path(), std::string("run ") + deck + ".yaml --quiet");
+    ASSERT_EQ(run.status, 0) << run.standard_error;
+  }
+  const auto whole = displacements(copy / "whole"), region = displacements(copy / "region");
+  EXPECT_EQ(region.size(), 4096u);
+  double error = 0.0;
+  for (const auto& [X, u] : region)
+    for (std::size_t c = 0; c < 3; ++c) error = std::max(error, std::abs(u[c] - whole.at(X)[c]));
+  EXPECT_LT(error, 0.025);
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study, 14_fit_vessel_modulus by tests/verification/fit.
   std::vector<std::string> tested{
-      "04_simple_shear",   "06_resolution_study",   "09_tissue_laws",
-      "10_ramp_and_hold",  "11_fiber_gel",          "12_contracting_cell",
-      "13_growing_vessel", "14_fit_vessel_modulus", "15_rigs"};
+      "04_simple_shear", "06_resolution_study",      "09_tissue_laws",    "10_ramp_and_hold",
+      "11_fiber_gel",    "12_contracting_cell",      "13_growing_vessel", "14_fit_vessel_modulus",
+      "15_rigs",         "16_measured_displacements"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))

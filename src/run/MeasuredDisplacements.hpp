@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// From a condition's Displacement Images to the displacements that a rank needs of them.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "run/Deck.hpp"
+#include "stroma/base/Communicator.hpp"
+#include "stroma/grid/Partition.hpp"
+
+namespace stroma {
+
+/// The displacement of each condition that has images, null of the others. Each rank reads a slab of
+/// an image, one image at a time, and keeps the voxels around what it has of the condition's faces,
+/// an element deep. Collective.
+/// \param communicator  of the ranks that share the body
+/// \param deck          it names the images
+/// \param body          the grid that fills the body's box
+/// \param partition     of the grid under it
+/// \param files         gains those that were read
+/// \throws base::InputError, naming the condition: an image cannot be had, has no voxel size or
+///   another size than the first, or does not reach to all of the face
+std::vector<std::shared_ptr<const mechanics::DisplacementField>> measured_displacements(
+    const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
+    const grid::Partition& partition, std::vector<std::string>& files);
+
+}  // namespace stroma
