@@ -196,8 +196,13 @@ std::int64_t MomentumBalance::internal_force(const std::shared_ptr<const StressK
 void MomentumBalance::choose_tangent(TangentForm form) {
   if (form == form_) return;
   form_ = form;
+  forget_tangent();
+}
+
+void MomentumBalance::forget_tangent() {
   rows_.reset();
   stencil_ = Teuchos::null;
+  linearized_at_ = Teuchos::null;
 }
 
 grid::RCP<Tpetra::Operator<double>> MomentumBalance::tangent() {

@@ -103,6 +103,8 @@ class MomentumBalance {
 
   /// How the tangent is stored from now on; compressed rows unless told otherwise.
   void choose_tangent(TangentForm form);
+  /// Frees its memory, once nobody else has it; it is built anew when it is asked for.
+  void forget_tangent();
   /// Assembles the tangent at u.
   /// \return particles, over all ranks, that u turns inside out
   std::int64_t assemble_tangent(const grid::Vector& u);

@@ -9,7 +9,7 @@
 namespace stroma::output {
 
 std::vector<std::string> run_files(const OutputParameters& wanted) {
-  std::vector<std::string> names = run_files(wanted.pictures, wanted.report);
+  std::vector<std::string> names = run_files(wanted.pictures, wanted.report, wanted.tables);
   if (wanted.vtkhdf)
     for (const char* of : {"particles", "grid"})
       for (const char* ending : {".hdf", ".hdf.series", ".hdf.series.new"})

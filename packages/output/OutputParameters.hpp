@@ -42,6 +42,7 @@ struct OutputParameters {
   Precision precision = Precision::Double;
   bool vtkhdf = false;  ///< the same steps as VTKHDF, too
   std::optional<ImageStacksParameters> image_stacks;
+  bool tables = true;
   bool pictures = true;
   bool report = true;
   Origin origin = Origin::Top;  ///< of y, in pictures

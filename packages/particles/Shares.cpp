@@ -10,6 +10,7 @@ Shares::Shares(const ParticleParameters& parameters, const grid::Grid& body,
     const AxisLayout layout = axis_layout(parameters, body, static_cast<int>(d), 0,
                                           body.elements[d], voxels[d], voxel_size[d]);
     Axis& axis = axes_[d];
+    axis.voxel = layout.voxel;
     axis.face.push_back(0.0);
     for (std::size_t n = 0; n < layout.position.size(); ++n) {
       axis.point.push_back(layout.position[n] - body.origin[d]);
@@ -27,6 +28,7 @@ Share Shares::of(std::int64_t id) const {
     share.low[d] = axes_[d].face[n];
     share.high[d] = axes_[d].face[n + 1];
     share.point[d] = axes_[d].point[n];
+    share.voxel[d] = axes_[d].voxel[n];
   }
   return share;
 }

@@ -14,9 +14,11 @@
 
 namespace stroma::particles {
 
-/// A box with the particle in it, from the body's lower corner [um].
+/// A box with the particle in it, from the body's lower corner [um], and the voxel that the
+/// particle lies in.
 struct Share {
   std::array<double, 3> low, high, point;
+  std::array<std::int64_t, 3> voxel;
 };
 
 /// The shares of all particles of a layout, which fill the body without a gap. They are known from
@@ -37,6 +39,7 @@ class Shares {
   struct Axis {
     std::vector<double> face;   // (point + 1) faces of shares
     std::vector<double> point;  // (point)
+    std::vector<std::int64_t> voxel;
   };
   std::array<Axis, 3> axes_;
 };

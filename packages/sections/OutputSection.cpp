@@ -94,6 +94,11 @@ deck::Section<OutputParameters> output_section() {
                 "Write the steps of particles.e and grid.e as VTKHDF, too: one file a step for all "
                 "ranks, particles-s0003.hdf, and their list, particles.hdf.series, for ParaView.")
       .section(image_stacks_section(), &OutputParameters::image_stacks)
+      .optional(
+          "Tables", &OutputParameters::tables, deck::any(),
+          "Write materials.csv, histograms.csv, wall_distance.csv and objects.csv at the end: how "
+          "stress and strain of the last step are distributed over each material, with the "
+          "distance to walls, and over connected objects.")
       .optional("Pictures", &OutputParameters::pictures, deck::any(),
                 "Draw vessels.png, von_mises.png and force.png with gnuplot at the end.")
       .optional("Report", &OutputParameters::report, deck::any(),

@@ -41,7 +41,9 @@ std::string blame(const DeckParameters& parameters, const MemoryEstimate& estima
 
 }  // namespace
 
-double MemoryEstimate::bytes() const { return std::max({image, seeding, solving()}); }
+double MemoryEstimate::bytes() const {
+  return std::max({image, seeding, solving(), particles + results + vectors + tables});
+}
 
 Counts even_counts(const DeckParameters& parameters, const std::array<std::int64_t, 3>& voxels,
                    const grid::Grid& body, double filled, int ranks) {
@@ -98,6 +100,13 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
     estimate.preconditioner += stencil + 48.0 * nodes + 6.0 * 24.0 * nodes;
   if (kind == solver::PreconditionerKind::multigrid)
     estimate.preconditioner = 1.6 * estimate.tangent;
+  if (parameters.output.tables) {
+    estimate.particles += 6.0 * counts.particles;  // object and distance to a wall
+    estimate.seeding =
+        std::max(estimate.seeding, (20.0 * counts.voxels) + (seeded + 14.0) * counts.particles);
+    const double numbers = room_for_tables(nodes) / (8.0 * std::max(counts.particles, 1.0));
+    estimate.tables = (16.0 + 8.0 * std::clamp(numbers - 2.0, 2.0, 8.0)) * counts.particles;
+  }
   return estimate;
 }
 

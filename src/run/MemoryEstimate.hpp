@@ -23,7 +23,8 @@ struct Counts {
 };
 
 /// Bytes on a rank. The image is done with when particles are made, and they are when the balance
-/// of momentum is, so that a run takes the most of the three (docs/performance.md, "Memory").
+/// of momentum is, whose matrix has gone when tables are made, so that a run takes the most of the
+/// four (docs/performance.md, "Memory").
 struct MemoryEstimate {
   double image;           ///< intensities and labels
   double seeding;         ///< labels and particles, while they are sorted into their elements
@@ -33,9 +34,16 @@ struct MemoryEstimate {
   double vectors;         ///< of unknowns
   double preconditioner;  ///< but for the factors of Direct
 
+  double tables;  ///< of the last step, when tangent and preconditioner are gone
+
   double solving() const { return particles + results + tangent + vectors + preconditioner; }
   double bytes() const;
 };
+
+/// What tables may take [bytes]: about what a solver needs the least of and has given back, the
+/// stencil and its coarser levels.
+/// \param nodes  that this rank's elements touch
+inline double room_for_tables(double nodes) { return 650.0 * nodes; }
 
 MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& counts);
 

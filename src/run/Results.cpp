@@ -13,8 +13,8 @@
 namespace stroma {
 
 Results::Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-                 const std::vector<KnownFile>& files, const output::RunFolder& folder,
-                 base::Log& log, const ResultsSoFar& so_far)
+                 const std::vector<KnownFile>& files, Tables& tables,
+                 const output::RunFolder& folder, base::Log& log, const ResultsSoFar& so_far)
     : communicator_(communicator),
       deck_(&deck),
       specimen_(&specimen),
@@ -27,6 +27,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
                names(deck.parameters.materials.materials), so_far.rows),
       fields_(communicator, deck, specimen, folder),
       stacks_(communicator, deck, specimen, folder),
+      tables_(&tables),
       rows_(so_far.rows) {
   if (!rows_.empty()) {
     const std::string note = fields_.resume(so_far.files, rows_);
@@ -56,6 +57,12 @@ void Results::write_last(mechanics::MomentumBalance& balance, const grid::Vector
   stacks_.write_last(rows_.back(), balance.body(), u);
 }
 
+void Results::write_tables(const mechanics::MomentumBalance& balance, const grid::Vector& u,
+                           double room) {
+  said_of_tables_ = tables_->write(folder_, rows_.back(), fields_.particle_set(),
+                                   fields_.states(balance, u), room);
+}
+
 std::string Results::on_disk() const {
   if (rows_.empty()) return "nothing is on disk yet";
   return base::format("on disk in %s: history.csv to step %lld (load %.6g)",
@@ -83,6 +90,7 @@ void Results::finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
   if (deck_->parameters.output.pictures) draw(moving, balance, u);
   folder_.finish();
   print_summary(*log_, communicator_, *deck_, *specimen_, rows_, moving, balance, u);
+  if (!said_of_tables_.empty()) log_->line(said_of_tables_);
   log_->line(base::format("%.1f s on %s; results in %s", seconds(),
                           base::ranks_and_threads(communicator_).c_str(),
                           folder_.folder().c_str()));

@@ -14,6 +14,7 @@
 #include "run/ImageStacks.hpp"
 #include "run/KnownFiles.hpp"
 #include "run/Specimen.hpp"
+#include "run/Tables.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/mechanics/MomentumBalance.hpp"
 #include "stroma/output/files/History.hpp"
@@ -28,14 +29,14 @@ struct ResultsSoFar {
   FieldFilesEnd files;
 };
 
-/// Writes history.csv, particles.e, grid.e, image stacks, deck.xml and the pictures of one run.
+/// Writes history.csv, particles.e, grid.e, image stacks, tables, deck.xml and the pictures of one run.
 class Results {
  public:
   /// Writes deck.xml and begins history.csv; or goes on with what there is, and cuts off what comes
   /// behind it. Collective.
   Results(const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
-          const std::vector<KnownFile>& files, const output::RunFolder& folder, base::Log& log,
-          const ResultsSoFar& so_far = {});
+          const std::vector<KnownFile>& files, Tables& tables, const output::RunFolder& folder,
+          base::Log& log, const ResultsSoFar& so_far = {});
 
   /// Collective.
   ResultsSoFar so_far() const { return {rows_, fields_.end()}; }
@@ -57,6 +58,9 @@ class Results {
 
   /// Writes the last accepted step's fields if they were not due. Collective.
   void write_last(mechanics::MomentumBalance& balance, const grid::Vector& u);
+  /// Writes the tables of the last accepted step, if the deck asks for them. Collective.
+  /// \param room  bytes that it may take on this rank, about
+  void write_tables(const mechanics::MomentumBalance& balance, const grid::Vector& u, double room);
   /// Draws the pictures and prints a table of all steps: at the end of a run, and of one that
   /// failed. Collective.
   void finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
@@ -75,6 +79,8 @@ class Results {
   output::History history_;
   FieldFiles fields_;
   ImageStacks stacks_;
+  Tables* tables_;
+  std::string said_of_tables_;
   std::vector<output::HistoryRow> rows_;
 };
 

@@ -158,8 +158,7 @@ json data_of(const Deck& deck, const output::RunFiles& files,
   data["length"] = length;
   data["supports"] = described_supports(p, length);
   data["tables"] = json::object();
-  for (const char* table :
-       {"materials.csv", "histograms.csv", "wall_distance.csv", "objects.csv"}) {
+  for (const std::string& table : output::table_files()) {
     const std::string text = base::file_content(files.file(table));
     if (!text.empty()) data["tables"][table] = output::table_excerpt(text, most_table_rows, false);
   }

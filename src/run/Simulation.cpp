@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "run/Checkpoints.hpp"
+#include "run/MemoryEstimate.hpp"
 #include "run/Results.hpp"
 #include "run/RunLog.hpp"
 #include "run/RunReport.hpp"
@@ -50,7 +51,7 @@ struct Run {
   RunLog& say;
   StopRequest& stop;
   mechanics::MovingBody& body;
-  solver::NewtonSolver& newton;
+  std::optional<solver::NewtonSolver>& newton;  // until nothing is left to solve
   solver::StepControl& load;
   Results& results;
   Checkpoints& checkpoints;
@@ -61,6 +62,8 @@ struct Run {
   void begin(bool is_restart);
   void take_steps();
   void conclude();
+  void stop_early();
+  void write_tables();
   std::optional<solver::NewtonResult> try_step(std::optional<grid::Vector>& trial);
   RunState state() const { return {load.progress(), learnt, results.so_far()}; }
   std::string how_it_stands() const;
@@ -81,7 +84,7 @@ void Run::begin(bool is_restart) {
 void Run::take_steps() {
   while (!load.finished()) {
     const double begin = say.seconds();
-    learnt = newton.memory();
+    learnt = newton->memory();
     std::optional<grid::Vector> trial;
     const std::optional<solver::NewtonResult> solved = try_step(trial);
     if (!solved) continue;
@@ -89,17 +92,17 @@ void Run::take_steps() {
     // The step has converged: only now does anything change.
     body.accept(load.next(), *trial);
     load.accept();
-    learnt = newton.memory();
+    learnt = newton->memory();
     const double time = load.load() * deck.parameters.loading.seconds();
     const output::HistoryRow row = row_of(load, time, *solved, say.seconds());
     results.write(row, body.balance(), *trial);
-    if (accepted) accepted({row, body.balance(), *trial, newton});
+    if (accepted) accepted({row, body.balance(), *trial, *newton});
     say.accepted(load, *solved);
     log.require_written();
     if (load.finished()) break;
     if (checkpoints.is_due(load.accepted())) {
       checkpoints.write(body, state());
-      newton.attach(
+      newton->attach(
           body.balance());  // a run that goes on from here has no preconditioner of before
     }
     stop.learn(say.seconds() - begin, checkpoints.seconds());
@@ -115,10 +118,10 @@ std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& t
   say.begin_step(load);
   try {
     const mechanics::PiecesSummary before = body.balance().supports().pieces();
-    solver::begin_step(body, newton);
+    solver::begin_step(body, *newton);
     say.compare_pieces(before, body.balance().supports(), load.load());
     trial.emplace(body.balance().owned_map());
-    return solver::solve_step(body, newton, load.next(), *trial);
+    return solver::solve_step(body, *newton, load.next(), *trial);
   } catch (const base::StepRejected& rejected) {
     say.rejected(load.next(), rejected.what());
     body.reject();
@@ -132,9 +135,32 @@ std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& t
 }
 
 void Run::conclude() {
+  body.balance().set_load(load.load());  // a try that failed was of another one
   results.write_last(body.balance(), body.displacement());
   checkpoints.write(body, state());
+  write_tables();
   results.finish(body.balance(), body.displacement(), [&] { return say.seconds(); });
+}
+
+/// For a run that was asked to stop: what it takes to go on comes first.
+void Run::stop_early() {
+  checkpoints.write(body, state());
+  try {
+    body.balance().set_load(load.load());
+    write_tables();
+  } catch (const base::RunError& error) {
+    log.note(error.what());
+  }
+}
+
+/// In the memory that the solver had: nothing can be solved any more.
+void Run::write_tables() {
+  newton.reset();
+  body.balance().forget_tangent();
+  const std::int64_t nodes =
+      body.balance().halo().partition().touched_nodes(communicator.rank()).count();
+  results.write_tables(body.balance(), body.displacement(),
+                       room_for_tables(static_cast<double>(nodes)));
 }
 
 /// What is on disk, and the command by which the run goes on.
@@ -163,6 +189,7 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
   // Image stack -> labels -> particles on a grid.
   std::optional<SpecimenImage> image = read_image(communicator, deck);
   const Specimen specimen = make_specimen(communicator, deck, *image);
+  Tables tables(communicator, deck, specimen, image->labels);
   image.reset();
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
   if (before) before->require_images(files);
@@ -178,16 +205,17 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
   say.describe(specimen, body->balance());
 
   const RunState at_start = before ? before->state() : RunState();
-  Results results(communicator, deck, specimen, files, folder, log, at_start.results);
+  Results results(communicator, deck, specimen, files, tables, folder, log, at_start.results);
   Checkpoints checkpoints(communicator, folder.checkpoint(), deck, files,
                           before ? at_start.load.accepted : -1);
   before.reset();
-  solver::NewtonSolver newton(deck.parameters.solver, body->balance(),
-                              [&](int iteration, double residual, long long linear) {
-                                stop.obey(false);
-                                say.newton(iteration, residual, linear);
-                              });
-  newton.remember(at_start.newton);
+  std::optional<solver::NewtonSolver> newton;
+  newton.emplace(deck.parameters.solver, body->balance(),
+                 [&](int iteration, double residual, long long linear) {
+                   stop.obey(false);
+                   say.newton(iteration, residual, linear);
+                 });
+  newton->remember(at_start.newton);
   solver::StepControl load(deck.parameters.loading, at_start.load);
   Run run{communicator,
           deck,
@@ -207,7 +235,7 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
     run.take_steps();
     run.conclude();
   } catch (const base::Interrupted& asked) {
-    checkpoints.write(*body, run.state());
+    run.stop_early();
     const std::string text = std::string("stopped by ") + asked.what() + "; " + run.how_it_stands();
     log.line(text);
     throw base::Interrupted(text);

@@ -32,14 +32,15 @@ std::vector<Offset> earlier_neighbours(Connectivity connectivity) {
 }  // namespace
 
 Objects::Objects(const base::Communicator& communicator, const voxels::LabelVolume& labels,
-                 Connectivity connectivity)
+                 Connectivity connectivity, std::int32_t ground)
     : communicator_(communicator) {
-  find_pieces(labels, connectivity);
+  find_pieces(labels, connectivity, ground);
   merge_over_slabs(labels, connectivity);
   size_ = sum_over_pieces(std::move(size_));
 }
 
-void Objects::find_pieces(const voxels::LabelVolume& labels, Connectivity connectivity) {
+void Objects::find_pieces(const voxels::LabelVolume& labels, Connectivity connectivity,
+                          std::int32_t ground) {
   const std::vector<Offset> neighbours = earlier_neighbours(connectivity);
   const auto [nx, ny, nz] =
       std::array<std::int64_t, 3>{labels.size[0], labels.size[1], labels.planes};
@@ -50,7 +51,7 @@ void Objects::find_pieces(const voxels::LabelVolume& labels, Connectivity connec
     for (std::int64_t j = 0; j < ny; ++j) {
       for (std::int64_t i = 0; i < nx; ++i, ++voxel) {
         const std::int32_t label = labels.values[voxel];
-        if (label <= 0) continue;
+        if (label < 0 || label == ground) continue;
         std::int32_t& piece = piece_[voxel];
         for (const Offset& d : neighbours) {
           if (i + d.x < 0 || i + d.x >= nx || j + d.y < 0 || j + d.y >= ny || k + d.z < 0) continue;

@@ -16,14 +16,19 @@ namespace stroma::image {
 /// Which voxels touch: those that share a face, or those that share at least a corner.
 enum class Connectivity { faces = 6, corners = 26 };
 
-/// The connected objects of a volume: sets of touching voxels of one and the same label > 0.
+/// The connected objects of a volume: sets of touching voxels of one and the same label, which is
+/// not negative and not that of the ground between them.
 /// Objects that reach over several ranks' slabs are merged by exchanging boundary planes until
 /// nothing changes; no rank sees more than its slab and two planes.
 class Objects {
  public:
   /// Collective.
+  /// \param communicator  of the ranks that share the volume
+  /// \param labels        of the voxels
+  /// \param connectivity  which voxels touch
+  /// \param ground        label of what makes no objects; -1: all other labels do
   Objects(const base::Communicator& communicator, const voxels::LabelVolume& labels,
-          Connectivity connectivity);
+          Connectivity connectivity, std::int32_t ground = 0);
 
   /// Number of objects of at least so many voxels. Collective.
   std::int64_t count(std::int64_t smallest = 1) const;
@@ -39,7 +44,8 @@ class Objects {
   std::size_t pieces() const { return id_.size(); }
   /// The piece that a voxel of this slab belongs to. \pre size_at(voxel) > 0
   std::size_t piece_at(std::size_t voxel) const { return static_cast<std::size_t>(piece_[voxel]); }
-  /// Whether a piece is the one, of all ranks, that its object is counted by.
+  /// Whether a piece is the one, of all ranks, that its object is counted by: that with the object's
+  /// first voxel.
   bool is_first(std::size_t piece) const {
     return id_[piece] == first_id_ + static_cast<std::int64_t>(piece);
   }
@@ -55,7 +61,8 @@ class Objects {
   std::vector<std::int64_t> size_;  ///< (piece) voxels of the whole object
   std::int64_t first_id_ = 0;       ///< pieces of the ranks before this one
 
-  void find_pieces(const voxels::LabelVolume& labels, Connectivity connectivity);
+  void find_pieces(const voxels::LabelVolume& labels, Connectivity connectivity,
+                   std::int32_t ground);
   void merge_over_slabs(const voxels::LabelVolume& labels, Connectivity connectivity);
 };
 

@@ -124,7 +124,8 @@ bool Manifest::begins_as_written(const std::string& file_path) {
   if (begin.empty() || name == "log.txt" || ending == ".new") return true;
   if (ending == ".xml") return is("<!-- The deck as it was run");
   if (ending == ".csv")
-    return is("step,load,") || is("member,") || is("series,") || is("run,") || is("parameter,") ||
+    return is("step,load,") || is("step,time,") || is("material,") || is("label_material,") ||
+           is("object,") || is("member,") || is("series,") || is("run,") || is("parameter,") ||
            is("measurement,") || is("load,") || is("input,");
   if (ending == ".series") return is("{\n \"file-series-version\"");
   if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");

@@ -85,11 +85,18 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
 
 }  // namespace
 
-std::vector<std::string> run_files(bool pictures, bool report) {
+std::vector<std::string> table_files() {
+  return {"materials.csv", "histograms.csv", "wall_distance.csv", "objects.csv"};
+}
+
+std::vector<std::string> run_files(bool pictures, bool report, bool tables) {
   std::vector<std::string> names{"deck.xml",          "history.csv",     "log.txt",
                                  "particles.e",       "grid.e",          "checkpoint.h5",
                                  "checkpoint.h5.new", "history.csv.new", "sensitivity.csv"};
   if (report) names.insert(names.end(), {"report.html", "report.html.new"});
+  if (tables)
+    for (const std::string& table : table_files())
+      names.insert(names.end(), {table, table + ".new"});
   if (pictures)
     for (const char* picture : {"vessels", "von_mises", "force"}) add_picture(names, picture);
   return names;

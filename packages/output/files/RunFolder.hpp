@@ -15,9 +15,11 @@
 
 namespace stroma::output {
 
+/// Names of the tables of a run's last step.
+std::vector<std::string> table_files();
 /// Names of the files that a run leaves in its folder; with pictures, their data and scripts too;
-/// with a report, that.
-std::vector<std::string> run_files(bool pictures, bool report);
+/// with a report or tables, these.
+std::vector<std::string> run_files(bool pictures, bool report, bool tables);
 /// Of a study, beside the folders of its members.
 std::vector<std::string> study_files();
 /// Of a fit, beside the folders of its members.

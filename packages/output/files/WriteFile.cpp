@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "stroma/base/Error.hpp"
 
@@ -35,23 +36,34 @@ void write_file(const std::string& path, const std::string& text, WriteMode mode
   write(path, path, text, mode == WriteMode::replace ? "w" : "a");
 }
 
-void replace_file(const std::string& path, const std::string& text) {
+Draft::Draft(std::string path) : path_(std::move(path)), draft_(path_ + ".new") {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  const auto found = fs::symlink_status(path, ignored);
-  if (fs::exists(found) && !fs::is_regular_file(found)) {  // a device, say, stays what it is
-    write_file(path, text);
-    return;
-  }
-  const std::string draft = path + ".new";
-  try {
-    write(path, draft, text, "w");
-  } catch (const base::RunError&) {
-    std::remove(draft.c_str());
-    throw;
-  }
-  if (std::rename(draft.c_str(), path.c_str()) != 0)
-    throw base::RunError("cannot write '" + path + "': " + std::strerror(errno));
+  const auto found = fs::symlink_status(path_, ignored);
+  if (fs::exists(found) && !fs::is_regular_file(found))  // a device, say, stays what it is
+    draft_ = path_;
+}
+
+Draft::~Draft() {
+  if (is_begun_ && !is_finished_ && draft_ != path_) std::remove(draft_.c_str());
+}
+
+void Draft::add(const std::string& text) {
+  const char* const mode = is_begun_ ? "a" : "w";
+  is_begun_ = true;
+  write(path_, draft_, text, mode);
+}
+
+void Draft::finish() {
+  is_finished_ = true;
+  if (draft_ != path_ && std::rename(draft_.c_str(), path_.c_str()) != 0)
+    throw base::RunError("cannot write '" + path_ + "': " + std::strerror(errno));
+}
+
+void replace_file(const std::string& path, const std::string& text) {
+  Draft draft(path);
+  draft.add(text);
+  draft.finish();
 }
 
 }  // namespace stroma::output

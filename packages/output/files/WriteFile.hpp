@@ -16,8 +16,28 @@ enum class WriteMode { replace, append };
 void write_file(const std::string& path, const std::string& text,
                 WriteMode mode = WriteMode::replace);
 
-/// Writes a text under another name and renames it, so that the file holds the old text or the new
-/// one at any time; what is no plain file is written in place. For one rank.
+/// A file that is written under another name, path.new, and renamed once it is whole, so that there
+/// is the old file or the new one at any time; what is no plain file is written in place. For one
+/// rank.
+class Draft {
+ public:
+  explicit Draft(std::string path);
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+  /// Removes what was not finished.
+  ~Draft();
+
+  /// \throws base::RunError  when not all of it could be written; the old file is then as it was
+  void add(const std::string& text);
+  /// \throws base::RunError  when it cannot be renamed
+  void finish();
+
+ private:
+  std::string path_, draft_;
+  bool is_begun_ = false, is_finished_ = false;
+};
+
+/// A draft of this one text.
 /// \throws base::RunError  when not all of it could be written; the old file is then as it was
 void replace_file(const std::string& path, const std::string& text);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stroma/image/labels/Fragments.hpp"
+#include "stroma/image/labels/NumberedObjects.hpp"
 #include "stroma/image/labels/Objects.hpp"
 #include "stroma/image/phantom/CounterRandom.hpp"
 
@@ -26,21 +27,22 @@ voxels::LabelVolume volume_of(const Size& size, Label&& label) {
   return volume;
 }
 
-/// Sizes of the objects of a whole volume, largest first, by flood fill.
+/// (voxel of a whole volume) The number of its object in the order of first voxels, or 0, by flood
+/// fill.
 template <class Label>
-std::vector<std::int64_t> flood_fill(const Size& size, Label&& label, bool corners) {
+std::vector<std::int64_t> flood_fill(const Size& size, Label&& label, bool corners,
+                                     std::int32_t ground = 0) {
   const std::int64_t voxels = size[0] * size[1] * size[2];
-  std::vector<char> seen(static_cast<std::size_t>(voxels), 0);
-  std::vector<std::int64_t> sizes;
+  std::vector<std::int64_t> number(static_cast<std::size_t>(voxels), 0);
+  std::int64_t objects = 0;
   for (std::int64_t start = 0; start < voxels; ++start) {
-    if (seen[static_cast<std::size_t>(start)] || label(start) <= 0) continue;
+    if (number[static_cast<std::size_t>(start)] > 0 || label(start) < 0 || label(start) == ground)
+      continue;
     std::vector<std::int64_t> front{start};
-    seen[static_cast<std::size_t>(start)] = 1;
-    std::int64_t count = 0;
+    number[static_cast<std::size_t>(start)] = ++objects;
     while (!front.empty()) {
       const std::int64_t v = front.back();
       front.pop_back();
-      ++count;
       const Size at{v % size[0], v / size[0] % size[1], v / (size[0] * size[1])};
       for (int n = 0; n < 27; ++n) {
         const Size d{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
@@ -50,12 +52,22 @@ std::vector<std::int64_t> flood_fill(const Size& size, Label&& label, bool corne
             to[2] >= size[2])
           continue;
         const std::int64_t w = to[0] + size[0] * (to[1] + size[1] * to[2]);
-        if (seen[static_cast<std::size_t>(w)] || label(w) != label(v)) continue;
-        seen[static_cast<std::size_t>(w)] = 1;
+        if (number[static_cast<std::size_t>(w)] > 0 || label(w) != label(v)) continue;
+        number[static_cast<std::size_t>(w)] = objects;
         front.push_back(w);
       }
     }
-    sizes.push_back(count);
+  }
+  return number;
+}
+
+/// Sizes of objects, largest first.
+std::vector<std::int64_t> sizes_of(const std::vector<std::int64_t>& number) {
+  std::vector<std::int64_t> sizes;
+  for (const std::int64_t object : number) {
+    if (object == 0) continue;
+    sizes.resize(std::max(sizes.size(), static_cast<std::size_t>(object)), 0);
+    ++sizes[static_cast<std::size_t>(object - 1)];
   }
   std::sort(sizes.rbegin(), sizes.rend());
   return sizes;
@@ -65,7 +77,7 @@ template <class Label>
 void expect_same(const Size& size, Label&& label) {
   const voxels::LabelVolume volume = volume_of(size, label);
   for (const bool corners : {false, true}) {
-    const std::vector<std::int64_t> expected = flood_fill(size, label, corners);
+    const std::vector<std::int64_t> expected = sizes_of(flood_fill(size, label, corners));
     const image::Objects objects(
         base::Communicator::world(), volume,
         corners ? image::Connectivity::corners : image::Connectivity::faces);
@@ -107,6 +119,57 @@ TEST(Objects, AThreadThatCrossesEverySlabManyTimes) {
 TEST(Objects, DifferentLabelsAreDifferentObjectsAndEmptySpaceIsNone) {
   const Size size{6, 5, 8};
   expect_same(size, [](std::int64_t v) { return static_cast<std::int32_t>(v / 60 % 4) - 1; });
+}
+
+/// Numbers and moments, against those of the flood fill.
+template <class Label>
+void expect_numbered(const Size& size, Label&& label, std::int32_t ground) {
+  const base::Communicator world = base::Communicator::world();
+  const std::vector<std::int64_t> number = flood_fill(size, label, true, ground);
+  std::vector<image::ObjectMoments> expected(
+      static_cast<std::size_t>(*std::max_element(number.begin(), number.end())));
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == 0) continue;
+    image::ObjectMoments& object = expected[static_cast<std::size_t>(number[v] - 1)];
+    const auto voxel = static_cast<std::int64_t>(v);
+    const Size at{voxel % size[0], voxel / size[0] % size[1], voxel / (size[0] * size[1])};
+    object.label = label(voxel);
+    ++object.voxels;
+    for (std::size_t d = 0; d < 3; ++d) {
+      object.sum[d] += at[d];
+      object.products[d] += at[d] * at[d];
+      object.products[3 + d] += at[d] * at[(d + 1) % 3];
+    }
+  }
+  const image::NumberedObjects found = image::number_objects(world, volume_of(size, label), ground);
+  EXPECT_EQ(found.count, static_cast<std::int64_t>(expected.size()));
+  EXPECT_EQ(world.sum(static_cast<std::int64_t>(found.moments.size())), found.count);
+  const auto first = static_cast<std::size_t>(found.number.first_plane * size[0] * size[1]);
+  for (std::size_t v = 0; v < found.number.values.size(); ++v)
+    ASSERT_EQ(found.number.values[v], number[first + v]);
+  for (std::size_t n = 0; n < found.moments.size(); ++n) {
+    const image::ObjectMoments &is = found.moments[n],
+                               &was = expected[static_cast<std::size_t>(found.first) - 1 + n];
+    EXPECT_EQ(is.label, was.label);
+    EXPECT_EQ(is.voxels, was.voxels);
+    EXPECT_EQ(is.sum, was.sum);
+    EXPECT_EQ(is.products, was.products);
+  }
+}
+
+// V-TABLE-3.
+TEST(Objects, HaveNumbersAndMoments) {
+  const Size size{11, 9, 12};
+  const auto noise = [](std::int64_t v) {
+    return static_cast<std::int32_t>(5.0 *
+                                     image::random_uniform(5, static_cast<std::uint64_t>(v))) -
+           1;
+  };
+  for (const std::int32_t ground : {-1, 0, 2}) expect_numbered(size, noise, ground);
+  expect_numbered(
+      {13, 1, 12}, [](std::int64_t v) { return v % 2 == 0 ? 1 : 0; }, 0);
+  expect_numbered(
+      {4, 4, 3}, [](std::int64_t) { return 0; }, -1);
 }
 
 TEST(Objects, FewerPlanesThanRanks) {

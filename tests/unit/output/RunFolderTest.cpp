@@ -55,7 +55,7 @@ TEST(RunFolder, AFolderThatCannotBeWrittenIsAnInputError) {
 TEST(RunFolder, RemovesWhatARunLeftAndNothingElse) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
-  const std::vector<std::string> names = output::run_files(true, true);
+  const std::vector<std::string> names = output::run_files(true, true, true);
   const std::vector<std::string> old = {"deck.xml", "history.csv", "pictures/force.dat"};
   const std::vector<std::string> other = {"notes.txt", "particles.e.old", "my_particles.e"};
   base::Log log(world, true);
