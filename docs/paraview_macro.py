@@ -141,15 +141,17 @@ def show_results(folder, view=None):
     particles, grid = open_fields(folder, "particles"), open_fields(folder, "grid")
     if particles is None:
         raise RuntimeError(f"no particles.e or particles.hdf.series in '{folder}'")
-    simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
-    last = times_of(particles)[-1]
-    simple.GetTimeKeeper().Time = view.ViewTime = last
+    simple.HideAll(view)
+    scene = simple.GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    last = scene.AnimationTime = view.ViewTime = times_of(particles)[-1]
     particles.UpdatePipeline(last)
     particles = show_particles(folder, particles, view)
     if grid is not None:
         show_grid(grid, view)
     show_time(folder, particles, view)
     look(view, particles.GetDataInformation().GetBounds())
+    simple.SetActiveSource(particles)
     simple.Render(view)
     return particles, grid, view
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "run/Checkpoint.hpp"
 #include "run/HistoryFigures.hpp"
@@ -13,6 +14,8 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
 #include "stroma/output/files/RunFolder.hpp"
+#include "stroma/output/files/StateFile.hpp"
+#include "stroma/output/files/StepSeries.hpp"
 
 namespace stroma {
 namespace {
@@ -81,6 +84,33 @@ std::string departure_of_files(const std::string& path, const std::vector<output
   return "";
 }
 
+/// Whether the files of a list are those of steps of the history, in its order, up to the last. For
+/// one rank.
+std::string departure_of_series(const output::RunFiles& files, const std::string& list,
+                                const std::vector<output::HistoryRow>& rows, std::int64_t last) {
+  try {
+    std::int64_t step = -1;
+    for (const auto& [name, time] : output::StepSeries::listed(files.file(list))) {
+      const output::StateReader file(files.file(name));
+      const auto number = [&](const char* column) {
+        return file.value<double>(std::string("VTKHDF/FieldData/") + column);
+      };
+      const auto before = std::exchange(step, static_cast<std::int64_t>(number("step")));
+      if (step <= before || step >= static_cast<std::int64_t>(rows.size()))
+        return format("%s has step %lld", name.c_str(), static_cast<long long>(step));
+      const output::HistoryRow& row = rows[static_cast<std::size_t>(step)];
+      if (time != row.time || number("time") != row.time || number("load") != row.load ||
+          number("strain_energy") != row.strain_energy)
+        return name + " has another time, load or energy than history.csv";
+    }
+    return step == last ? "" : format("up to step %lld", static_cast<long long>(step));
+  } catch (const base::RunError& error) {
+    return error.what();
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+}
+
 void verify_files(const base::Communicator& communicator, const output::RunFiles& files,
                   const Deck& deck, const ResultsSoFar& results, Findings& findings) {
   const auto tell = [&](const std::string& what, std::string departure, const std::string& found) {
@@ -104,6 +134,12 @@ void verify_files(const base::Communicator& communicator, const output::RunFiles
              ? departure_of_files(files.grid(static_cast<int>(ends.grid_files)), ends.grid)
              : "",
          up_to(ends.grid_step));
+  for (const auto& [list, last] :
+       {std::pair<std::string, std::int64_t>{"particles.hdf.series", ends.particles_step},
+        {"grid.hdf.series", ends.grid_step}})
+    if (deck.parameters.output.vtkhdf && last >= 0)
+      tell(list, communicator.is_root() ? departure_of_series(files, list, results.rows, last) : "",
+           up_to(last));
 }
 
 void verify_balance(const base::Communicator& communicator, const Deck& deck,

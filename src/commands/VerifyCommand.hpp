@@ -13,7 +13,7 @@
 namespace stroma {
 
 /// Checks a folder of results against its own deck.xml and images: checksums of the images, what
-/// history.csv, particles.e and grid.e hold, and the equilibrium, reactions and energy of the last
+/// history.csv, particles.e, grid.e and lists of VTKHDF hold, and the equilibrium, reactions and energy of the last
 /// step, computed anew from checkpoint.h5. Prints a line for each. Collective.
 /// \throws base::InputError when it is no such folder, or its checkpoint is damaged or of another deck
 /// \throws base::RunError when something is not as the run left it

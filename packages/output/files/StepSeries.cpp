@@ -7,6 +7,7 @@
 #include <set>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/base/FileContent.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/output/files/Manifest.hpp"
 #include "stroma/output/files/WriteFile.hpp"
@@ -16,6 +17,18 @@ namespace fs = std::filesystem;
 
 StepSeries::StepSeries(const base::Communicator& communicator, std::string folder, std::string name)
     : communicator_(communicator), folder_(std::move(folder)), name_(std::move(name)) {}
+
+std::vector<std::pair<std::string, double>> StepSeries::listed(const std::string& path) {
+  const std::string text = base::file_content(path);
+  try {
+    const auto list = nlohmann::json::parse(text);
+    std::vector<std::pair<std::string, double>> files;
+    for (const auto& file : list.at("files")) files.emplace_back(file.at("name"), file.at("time"));
+    return files;
+  } catch (const nlohmann::json::exception&) {
+    throw base::RunError("'" + path + "' is not there, or no list of files");
+  }
+}
 
 std::string StepSeries::path(std::int64_t step) const {
   return folder_ + "/" +

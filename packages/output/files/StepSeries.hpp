@@ -24,6 +24,11 @@ class StepSeries {
 
   StepSeries(const base::Communicator& communicator, std::string folder, std::string name);
 
+  /// The files that a list names, with their times. For one rank.
+  /// \param path  of the list
+  /// \throws base::RunError when it cannot be read, or is none
+  static std::vector<std::pair<std::string, double>> listed(const std::string& path);
+
   /// Goes on with the files of an earlier run: of the steps given, those that have one; files of
   /// other steps are removed.
   /// \throws base::RunError

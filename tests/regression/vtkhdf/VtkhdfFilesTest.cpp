@@ -107,6 +107,10 @@ TEST(VtkhdfFiles, HaveWhatTheExodusFilesHave) {
           run_stroma(folder.path(), "run gel.yaml --quiet -o " + out + vtkhdf, ranks);
       ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
       expect_same(folder / out, ranks, is_reset);
+      const Outcome verified = run_stroma(folder.path(), "verify " + out, ranks);
+      EXPECT_EQ(verified.status, 0) << verified.standard_output;
+      EXPECT_NE(verified.standard_output.find("grid.hdf.series good"), std::string::npos)
+          << verified.standard_output;
     }
 }
 
@@ -145,6 +149,14 @@ TEST(VtkhdfFiles, OfAKilledRunCanBeReadAsFarAsTheyGo) {
     EXPECT_GE(listed(folder / out, "particles").size(), 2U);
     EXPECT_GE(listed(folder / out, "grid").size(), 2U);
   }
+  // A file that is another step's is found.
+  EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml -o whole --quiet" + vtkhdf).status, 0);
+  fs::remove(folder / "whole/particles-s0001.hdf");
+  fs::copy_file(folder / "whole/particles-s0002.hdf", folder / "whole/particles-s0001.hdf");
+  const Outcome verified = run_stroma(folder.path(), "verify whole");
+  EXPECT_EQ(verified.status, 1);
+  EXPECT_NE(verified.standard_output.find("particles.hdf.series WRONG"), std::string::npos)
+      << verified.standard_output;
   // The next run knows them for its own.
   EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml -o out0 --quiet").status, 0);
   EXPECT_FALSE(fs::exists(folder / "out0/particles.hdf.series"));
