@@ -177,6 +177,19 @@ std::vector<std::array<double, 3>> MomentumBalance::reactions(const grid::Vector
   return reactions;
 }
 
+std::vector<double> MomentumBalance::torques(const grid::Vector& u) {
+  const NamedConditions& conditions = problem().conditions;
+  const auto turns = [](const auto& named) { return named.second.rotation.has_value(); };
+  if (std::none_of(conditions.begin(), conditions.end(), turns)) return {};
+  std::vector<double> all = supports_->torques(u, *forces(u).unbalanced);
+  const auto at_u = state(u);
+  for (const auto& term : terms_) term->add_torques(at_u, all);
+  std::vector<double> of_those_that_turn;
+  for (std::size_t m = 0; m < all.size(); ++m)
+    if (turns(conditions[m])) of_those_that_turn.push_back(all[m]);
+  return of_those_that_turn;
+}
+
 double MomentumBalance::support_energy(const grid::Vector& u) const {
   const auto at_u = state(u);
   double energy = 0.0;

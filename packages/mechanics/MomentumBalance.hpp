@@ -91,6 +91,9 @@ class MomentumBalance {
   void load_derivative(const grid::Vector& u, grid::Vector& derivative);
   /// Force of each condition's support on the body [pN].
   std::vector<std::array<double, 3>> reactions(const grid::Vector& u);
+  /// Moment of the support of each condition that turns, in their order, on the body about the axis
+  /// that it turns about [aJ].
+  std::vector<double> torques(const grid::Vector& u);
   /// Energy that supports store because they pull [aJ] (Springs); 0 without any.
   double support_energy(const grid::Vector& u) const;
   /// The internal force alone, of stress [pN], evaluated anew.

@@ -48,9 +48,7 @@ std::string departure_of_history(const std::string& path, const Deck& deck,
     const output::HistoryTable table(path);
     if (table.rows() != rows.size())
       return format("%zu rows instead of %zu", table.rows(), rows.size());
-    const auto columns =
-        output::history_columns(names(deck.parameters.boundary_conditions.conditions),
-                                names(deck.parameters.materials.materials));
+    const auto columns = output::history_columns(history_names(deck.parameters));
     if (table.names() != columns) return "other columns than the deck's";
     for (std::size_t s = 0; s < rows.size(); ++s) {
       const std::vector<double> values = output::history_values(rows[s]);
@@ -142,6 +140,22 @@ void verify_files(const base::Communicator& communicator, const output::RunFiles
            up_to(last));
 }
 
+/// \param force  size of the forces [pN]
+void verify_torques(mechanics::MomentumBalance& balance, const grid::Vector& u,
+                    const std::vector<double>& written, double force, Findings& findings) {
+  if (written.empty()) return;
+  const std::array<double, 3> length = balance.problem().body.lengths();
+  double largest = force * *std::max_element(length.begin(), length.end()), difference = 0.0;
+  const std::vector<double> torques = balance.torques(u);
+  for (std::size_t n = 0; n < torques.size(); ++n) {
+    difference = std::max(difference, std::fabs(torques[n] - written[n]));
+    largest = std::max(largest, std::fabs(written[n]));
+  }
+  findings.tell(
+      "torques", difference <= rounding * largest,
+      format("differ by %.1e of the largest", largest > 0.0 ? difference / largest : 0.0));
+}
+
 void verify_balance(const base::Communicator& communicator, const Deck& deck,
                     mechanics::MovingBody& body, const RunState& state, Findings& findings) {
   mechanics::MomentumBalance& balance = body.balance();
@@ -167,6 +181,8 @@ void verify_balance(const base::Communicator& communicator, const Deck& deck,
   findings.tell(
       "reactions", difference <= rounding * std::max(largest, force),
       format("differ by %.1e of the largest", largest > 0.0 ? difference / largest : 0.0));
+
+  verify_torques(balance, u, row.torques, force, findings);
 
   const output::HistoryRow anew = with_figures(row, communicator, balance.body(), u);
   const double energy = std::fabs(anew.strain_energy - row.strain_energy);

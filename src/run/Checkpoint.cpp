@@ -310,19 +310,15 @@ void Checkpoint::read_state(const Deck& deck) {
   state_.newton = {newton[0], newton[1], newton[2], newton[3]};
 
   const auto shape = file_->shape("history/rows");
-  const std::size_t conditions = p.boundary_conditions.conditions.size(),
-                    materials = p.materials.materials.size();
-  const std::size_t columns =
-      output::history_columns(names(p.boundary_conditions.conditions), names(p.materials.materials))
-          .size();
+  const output::HistoryNames names = history_names(p);
+  const std::size_t columns = output::history_columns(names).size();
   if (shape.size() != 2 || shape[0] == 0 || shape[1] != columns)
     throw base::InputError("its history is not that of the deck");
   const auto rows = file_->get<double>("history/rows");
   for (std::size_t begin = 0; begin < rows.size(); begin += columns) {
     const auto first = rows.begin() + static_cast<std::ptrdiff_t>(begin);
     state_.results.rows.push_back(output::history_row(
-        std::vector<double>(first, first + static_cast<std::ptrdiff_t>(columns)), conditions,
-        materials));
+        std::vector<double>(first, first + static_cast<std::ptrdiff_t>(columns)), names));
     state_.results.rows.back().load *= stretch;
   }
   require_same_past(deck, stretch);

@@ -24,8 +24,7 @@ FieldFiles::FieldFiles(const base::Communicator& communicator, const Deck& deck,
       deck_(&deck),
       specimen_(&specimen),
       folder_(folder),
-      conditions_(names(deck.parameters.boundary_conditions.conditions)),
-      materials_(names(deck.parameters.materials.materials)),
+      names_(history_names(deck.parameters)),
       vtkhdf_particles_(communicator, folder.folder(), "particles"),
       vtkhdf_grid_(communicator, folder.folder(), "grid"),
       provenance_{deck.parameters.title, output::program_version(), deck.text} {}
@@ -222,8 +221,8 @@ std::vector<output::ShownField> FieldFiles::shown(const mechanics::MomentumBalan
 }
 
 void FieldFiles::open_particle_file(const mechanics::MomentumBalance& balance) {
-  particle_file_.emplace(communicator_, folder_.particles(), particle_set(), materials_,
-                         output::history_columns(conditions_, materials_), provenance_,
+  particle_file_.emplace(communicator_, folder_.particles(), particle_set(), names_.materials,
+                         output::history_columns(names_), provenance_,
                          deck_->parameters.output.precision, shown(balance),
                          std::exchange(particles_continued_, std::nullopt));
 }
@@ -238,7 +237,7 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
 }
 
 std::vector<output::VtkhdfNumber> FieldFiles::numbers(const output::HistoryRow& row) const {
-  const std::vector<std::string> names = output::history_columns(conditions_, materials_);
+  const std::vector<std::string> names = output::history_columns(names_);
   const std::vector<double> values = output::history_values(row);
   std::vector<output::VtkhdfNumber> numbers;
   for (std::size_t n = 0; n < names.size(); ++n) numbers.push_back({names[n], values[n]});

@@ -86,7 +86,7 @@ class FieldFiles {
   const Deck* deck_;
   const Specimen* specimen_;
   output::RunFolder folder_;
-  std::vector<std::string> conditions_, materials_;
+  output::HistoryNames names_;
   output::StepSeries vtkhdf_particles_, vtkhdf_grid_;
   output::Provenance provenance_;
   std::optional<output::ParticleFile> particle_file_;

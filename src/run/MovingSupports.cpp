@@ -27,4 +27,12 @@ std::vector<output::MovingSupport> moving_supports(const DeckParameters& paramet
   return moving;
 }
 
+output::HistoryNames history_names(const DeckParameters& parameters) {
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  output::HistoryNames all{names(conditions), {}, names(parameters.materials.materials)};
+  for (const auto& [name, condition] : conditions)
+    if (condition.rotation) all.turning.push_back(name);
+  return all;
+}
+
 }  // namespace stroma

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "run/Deck.hpp"
+#include "stroma/output/files/History.hpp"
 #include "stroma/output/pictures/Pictures.hpp"
 
 namespace stroma {
@@ -18,6 +19,9 @@ namespace stroma {
 /// \param length  edges of the body's box [um]
 std::vector<output::MovingSupport> moving_supports(const DeckParameters& parameters,
                                                    const std::array<double, 3>& length);
+
+/// What the columns of history.csv are named after.
+output::HistoryNames history_names(const DeckParameters& parameters);
 
 /// The names of a list of named things.
 template <class Named>

@@ -22,9 +22,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
       log_(&log),
       pictures_(communicator, folder.folder(), deck.parameters.title, specimen.layout.spacing,
                 deck.parameters.output.origin),
-      history_(communicator, folder.history(),
-               names(deck.parameters.boundary_conditions.conditions),
-               names(deck.parameters.materials.materials), so_far.rows),
+      history_(communicator, folder.history(), history_names(deck.parameters), so_far.rows),
       fields_(communicator, deck, specimen, folder),
       stacks_(communicator, deck, specimen, folder),
       tables_(&tables),
@@ -42,6 +40,7 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
 void Results::write(output::HistoryRow row, mechanics::MomentumBalance& balance,
                     const grid::Vector& u) {
   row.reactions = balance.reactions(u);
+  row.torques = balance.torques(u);
   rows_.push_back(with_figures(std::move(row), communicator_, balance.body(), u));
   history_.append(rows_.back());
   write_missing(balance, u);

@@ -143,8 +143,7 @@ void check_names(const StudyPlan& plan) {
   std::vector<std::string> columns;
   std::set<std::string> moving;
   for (std::size_t m = 0; m < plan.members.size(); ++m) {
-    const auto more = output::history_columns(
-        names(plan.decks[m].parameters.boundary_conditions.conditions), plan.facts[m].materials);
+    const auto more = output::history_columns(history_names(plan.decks[m].parameters));
     columns.insert(columns.end(), more.begin(), more.end());
     for (const auto& support : plan.facts[m].moving) moving.insert(support.name);
   }

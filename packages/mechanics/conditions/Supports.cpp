@@ -380,6 +380,29 @@ std::vector<std::array<double, 3>> Supports::reactions(const grid::Vector& unbal
   return sums;
 }
 
+std::vector<double> Supports::torques(const grid::Vector& u,
+                                      const grid::Vector& unbalanced_force) const {
+  std::vector<double> sums(static_cast<std::size_t>(conditions_));
+  const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto moved = u.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const grid::Grid& body = problem_->body;
+  for (const Prescribed& p : prescribed_) {
+    if (p.condition < 0) continue;
+    const auto m = static_cast<std::size_t>(p.condition);
+    const BoundaryCondition& condition = problem_->conditions[m].second;
+    if (!condition.rotation) continue;
+    const NodeComponent at = component(p.unknown);
+    std::array<double, 3> x = at.position;
+    for (std::size_t d = 0; d < 3; ++d)
+      x[d] += moved(p.unknown - at.component + static_cast<int>(d), 0);
+    sums[m] +=
+        force(p.unknown, 0) *
+        condition.lever(x, body.origin, body.lengths())[static_cast<std::size_t>(at.component)];
+  }
+  if (!sums.empty()) halo_->communicator().sum_all(sums.data(), sums.size());
+  return sums;
+}
+
 void Supports::mark_reaction(std::size_t condition, int component, grid::Vector& v) const {
   v.putScalar(0.0);
   const auto mark = v.getLocalViewHost(Tpetra::Access::ReadWrite);

@@ -87,6 +87,11 @@ class Supports {
   /// conditions prescribe counts for the first. Collective.
   std::vector<std::array<double, 3>> reactions(const grid::Vector& unbalanced_force) const;
 
+  /// Moment of each condition's prescribed nodes, at a displacement u, on the body about the axis that
+  /// its face turns about [aJ], sum of f . a x (x + u - center); 0 of a face that does not turn.
+  /// Collective.
+  std::vector<double> torques(const grid::Vector& u, const grid::Vector& unbalanced_force) const;
+
   /// Sets v to 1 at the components of one axis that reactions() counts for a condition, and to 0 at
   /// all others: the reaction is v . unbalanced_force.
   void mark_reaction(std::size_t condition, int component, grid::Vector& v) const;

@@ -88,11 +88,15 @@ double BoundaryCondition::rate_of_factor(int component, const Vector& position,
                                          const Vector& corner, const Vector& length,
                                          double factor) const {
   if (!rotation) return full(component, position, corner, length);
-  Vector r = arm(position, corner, length);
   const double angle = *rotation * radians;
-  const Vector moved = turned(unit_axis(), r, factor * angle);
-  for (std::size_t d = 0; d < 3; ++d) r[d] += moved[d];
-  return angle * cross(unit_axis(), r)[static_cast<std::size_t>(component)];
+  const Vector moved = turned(unit_axis(), arm(position, corner, length), factor * angle);
+  Vector x = position;
+  for (std::size_t d = 0; d < 3; ++d) x[d] += moved[d];
+  return angle * lever(x, corner, length)[static_cast<std::size_t>(component)];
+}
+
+Vector BoundaryCondition::lever(const Vector& x, const Vector& corner, const Vector& length) const {
+  return cross(unit_axis(), arm(x, corner, length));
 }
 
 double BoundaryCondition::rate(int component, const Vector& position, const Vector& corner,

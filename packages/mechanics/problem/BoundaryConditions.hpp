@@ -77,6 +77,10 @@ struct BoundaryCondition {
   /// Its derivative by s, at s = 0 [um]: where it sets out for.
   double direction(int component, const std::array<double, 3>& position,
                    const std::array<double, 3>& corner, const std::array<double, 3>& length) const;
+  /// a x (x - center) of a turning face: how far a point at x goes per radian, and so the lever of a
+  /// force there about the axis [um].
+  std::array<double, 3> lever(const std::array<double, 3>& x, const std::array<double, 3>& corner,
+                              const std::array<double, 3>& length) const;
   /// Whether value() is proportional to the load.
   bool is_linear() const { return !rotation && curve.is_load(); }
 

@@ -30,12 +30,13 @@ class Springs : public Term {
   void lump() override { springs_.points.lumped = true; }
   void visit_held(const Pieces& pieces, const HeldVisitor& visit) const override;
   void add_reactions(const TrialState& state, PerCondition& of_conditions) const override;
+  void add_torques(const TrialState& state, std::vector<double>& of_conditions) const override;
   /// sum R^2 / (2 sum k) over conditions and components. Its share of all energy is what the
   /// springs take off the stiffness of the body between its supports.
   double support_energy(const TrialState& state) const override;
 
  private:
-  /// Calls use(boundary point, its gap [um]) for each of this rank's, on the host.
+  /// Calls use(number, boundary point, its gap [um]) for each of this rank's, on the host.
   template <class Use>
   void for_each_gap(const TrialState& state, const Use& use) const;
 

@@ -80,6 +80,8 @@ class Term {
   virtual void visit_held(const Pieces&, const HeldVisitor&) const {}
   /// Adds what the term does for conditions [pN]: the force of their supports on the body.
   virtual void add_reactions(const TrialState&, PerCondition&) const {}
+  /// Adds their moments about the axes of conditions whose faces turn [aJ].
+  virtual void add_torques(const TrialState&, std::vector<double>&) const {}
   /// Energy that the supports of the term store because they pull [aJ].
   virtual double support_energy(const TrialState&) const { return 0.0; }
 

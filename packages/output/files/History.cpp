@@ -3,6 +3,7 @@
 #include "stroma/output/files/History.hpp"
 
 #include <type_traits>
+#include <utility>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
@@ -29,6 +30,7 @@ void for_each_value(Row& row, const Use& use) {
   for (auto& reaction : row.reactions) {
     for (auto& component : reaction) use(component);
   }
+  for (auto& torque : row.torques) use(torque);
   for (auto& material : row.materials) {
     use(material.volume);
     use(material.von_mises_mean);
@@ -38,16 +40,16 @@ void for_each_value(Row& row, const Use& use) {
 
 }  // namespace
 
-std::vector<std::string> history_columns(const std::vector<std::string>& boundary_conditions,
-                                         const std::vector<std::string>& materials) {
+std::vector<std::string> history_columns(const HistoryNames& names) {
   std::vector<std::string> columns = {
       "step",     "load",         "time",         "newton_iterations", "linear_iterations",
       "residual", "wall_seconds", "strain_energy"};
-  for (const std::string& name : boundary_conditions) {
+  for (const std::string& name : names.conditions) {
     for (const char* component : {"x", "y", "z"})
       columns.push_back(name + ".reaction_" + component);
   }
-  for (const std::string& name : materials) {
+  for (const std::string& name : names.turning) columns.push_back(name + ".torque");
+  for (const std::string& name : names.materials) {
     for (const char* figure : {"volume", "von_mises_mean", "von_mises_max"}) {
       columns.push_back(name + "." + figure);
     }
@@ -61,11 +63,11 @@ std::vector<double> history_values(const HistoryRow& row) {
   return values;
 }
 
-HistoryRow history_row(const std::vector<double>& values, std::size_t boundary_conditions,
-                       std::size_t materials) {
+HistoryRow history_row(const std::vector<double>& values, const HistoryNames& names) {
   HistoryRow row;
-  row.reactions.resize(boundary_conditions);
-  row.materials.resize(materials);
+  row.reactions.resize(names.conditions.size());
+  row.torques.resize(names.turning.size());
+  row.materials.resize(names.materials.size());
   std::size_t next = 0;
   for_each_value(row, [&](auto& value) {
     value = static_cast<std::decay_t<decltype(value)>>(values.at(next++));
@@ -83,15 +85,11 @@ std::string line_of(const HistoryRow& row) {
 
 }  // namespace
 
-History::History(const base::Communicator& communicator, std::string path,
-                 const std::vector<std::string>& boundary_conditions,
-                 const std::vector<std::string>& materials, const std::vector<HistoryRow>& rows)
-    : communicator_(communicator),
-      path_(std::move(path)),
-      boundary_conditions_(boundary_conditions.size()),
-      materials_(materials.size()) {
+History::History(const base::Communicator& communicator, std::string path, HistoryNames names,
+                 const std::vector<HistoryRow>& rows)
+    : communicator_(communicator), path_(std::move(path)), names_(std::move(names)) {
   std::string header;
-  for (const std::string& column : history_columns(boundary_conditions, materials)) {
+  for (const std::string& column : history_columns(names_)) {
     header += (header.empty() ? "" : ",") + csv_field(column);
   }
   std::string text = header + "\n";
@@ -102,11 +100,14 @@ History::History(const base::Communicator& communicator, std::string path,
 }
 
 void History::append(const HistoryRow& row) {
-  if (row.reactions.size() != boundary_conditions_ || row.materials.size() != materials_) {
+  if (row.reactions.size() != names_.conditions.size() ||
+      row.torques.size() != names_.turning.size() ||
+      row.materials.size() != names_.materials.size()) {
     throw base::RunError(base::format(
-        "a row for '%s' has %zu reactions and %zu materials; its header has %zu and %zu",
-        path_.c_str(), row.reactions.size(), row.materials.size(), boundary_conditions_,
-        materials_));
+        "a row for '%s' has %zu reactions, %zu torques and %zu materials; its header has %zu, %zu "
+        "and %zu",
+        path_.c_str(), row.reactions.size(), row.torques.size(), row.materials.size(),
+        names_.conditions.size(), names_.turning.size(), names_.materials.size()));
   }
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;

@@ -33,20 +33,26 @@ struct HistoryRow {
   double wall_seconds = 0;                       ///< since the run began [s]
   double strain_energy = 0;                      ///< of the whole body [aJ]
   std::vector<std::array<double, 3>> reactions;  ///< (boundary condition) force on the body [pN]
-  std::vector<MaterialSummary> materials;        ///< (material)
+  std::vector<double> torques;  ///< (condition that turns) on the body, about its axis [aJ]
+  std::vector<MaterialSummary> materials;  ///< (material)
+};
+
+/// What the columns are named after.
+struct HistoryNames {
+  std::vector<std::string> conditions;
+  std::vector<std::string> turning;  ///< those of the conditions whose faces turn
+  std::vector<std::string> materials;
 };
 
 /// Names and order of the columns, as in docs: step, load, time, ..., then NAME.reaction_x/y/z of each
-/// boundary condition, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material.
-std::vector<std::string> history_columns(const std::vector<std::string>& boundary_conditions,
-                                         const std::vector<std::string>& materials);
+/// boundary condition, NAME.torque of each that turns, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material.
+std::vector<std::string> history_columns(const HistoryNames& names);
 
 /// The row as numbers, in the order of history_columns.
 std::vector<double> history_values(const HistoryRow& row);
 
 /// The row of such numbers.
-HistoryRow history_row(const std::vector<double>& values, std::size_t boundary_conditions,
-                       std::size_t materials);
+HistoryRow history_row(const std::vector<double>& values, const HistoryNames& names);
 
 /// Writes history.csv from rank 0: a header, then a row per step, on disk before append() returns,
 /// so that a killed run keeps every completed step. Floating-point numbers have 17 significant
@@ -55,26 +61,23 @@ HistoryRow history_row(const std::vector<double>& values, std::size_t boundary_c
 class History {
  public:
   /// Writes the file anew, all at once: the header, and the rows of a run that goes on. Collective.
-  /// \param communicator         of the run
-  /// \param path                 of the file
-  /// \param boundary_conditions  their names
-  /// \param materials            their names
-  /// \param rows                 the first ones of the file
+  /// \param communicator  of the run
+  /// \param path          of the file
+  /// \param names         of its columns
+  /// \param rows          the first ones of the file
   /// \throws RunError on all ranks when the file cannot be written
-  History(const base::Communicator& communicator, std::string path,
-          const std::vector<std::string>& boundary_conditions,
-          const std::vector<std::string>& materials, const std::vector<HistoryRow>& rows = {});
+  History(const base::Communicator& communicator, std::string path, HistoryNames names,
+          const std::vector<HistoryRow>& rows = {});
 
   /// Adds one row. Collective.
   /// \throws RunError on all ranks when the row did not reach the file (disk full), or does not
-  ///         have as many reactions and materials as the header
+  ///         have as many reactions, torques and materials as the header
   void append(const HistoryRow& row);
 
  private:
   base::Communicator communicator_;
   std::string path_;
-  std::size_t boundary_conditions_;
-  std::size_t materials_;
+  HistoryNames names_;
 };
 
 }  // namespace stroma::output

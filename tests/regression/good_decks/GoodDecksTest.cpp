@@ -431,6 +431,9 @@ TEST(RigDecks, BalanceAndHaveTheForcesOfTheirTable) {
     ASSERT_EQ(run.status, 0) << run.standard_error;
     const History history(results.path() / "out" / "history.csv");
     EXPECT_NEAR(1e-3 * history[deck.column].back(), deck.nanonewtons, 0.051);
+    if (history.has("moved.torque")) {
+      EXPECT_NEAR(1e-3 * history["moved.torque"].back(), 666.3, 0.051);
+    }
     for (const char axis : {'x', 'y', 'z'})
       for (std::size_t s = 0; s < history.rows(); ++s) {
         double sum = 0.0;

@@ -15,7 +15,7 @@
 namespace stroma {
 namespace {
 
-const std::vector<std::string> conditions{"top", "a \"b\", c"}, materials{"gel"};
+const output::HistoryNames names{{"top", "a \"b\", c"}, {}, {"gel"}};
 
 output::HistoryRow row(std::int64_t step, double load) {
   output::HistoryRow result;
@@ -31,7 +31,7 @@ output::HistoryRow row(std::int64_t step, double load) {
 output::HistoryTable table_of(double load, const std::string& rest = "") {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
-  output::History history(world, folder / "history.csv", conditions, materials);
+  output::History history(world, folder / "history.csv", names);
   history.append(row(0, 0.0));
   history.append(row(1, load));
   if (world.is_root()) std::ofstream(folder / "history.csv", std::ios::app) << rest;
@@ -42,7 +42,7 @@ output::HistoryTable table_of(double load, const std::string& rest = "") {
 TEST(HistoryTable, ReadsWhatHistoryWrites) {
   const output::HistoryTable table = table_of(1.0);
   EXPECT_EQ(table.rows(), 2u);
-  EXPECT_EQ(table.names(), output::history_columns(conditions, materials));
+  EXPECT_EQ(table.names(), output::history_columns(names));
   for (const std::size_t step : {0u, 1u}) {
     const auto expected = output::history_values(row(static_cast<int>(step), step));
     for (std::size_t i = 0; i < expected.size(); ++i)

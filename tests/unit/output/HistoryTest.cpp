@@ -16,6 +16,8 @@
 namespace stroma {
 namespace {
 
+const output::HistoryNames sample_names{{"bottom", "top"}, {"top"}, {"collagen"}};
+
 output::HistoryRow sample_row() {
   output::HistoryRow row;
   row.step = 3;
@@ -27,6 +29,7 @@ output::HistoryRow sample_row() {
   row.wall_seconds = 2.5;
   row.strain_energy = 1e300;
   row.reactions = {{-0.0, 1.0, std::nextafter(2.0, 3.0)}, {4.0, -5.5, 6.0}};
+  row.torques = {-3.25e7};
   row.materials = {{7.0, 8.25, std::numeric_limits<double>::denorm_min()}};
   return row;
 }
@@ -34,12 +37,12 @@ output::HistoryRow sample_row() {
 TEST(History, WritesTheColumnsOfTheContractInOrder) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
-  output::History history(world, folder / "history.csv", {"bottom", "top"}, {"collagen"});
+  output::History history(world, folder / "history.csv", sample_names);
   EXPECT_EQ(
       content_of(folder / "history.csv"),
       "step,load,time,newton_iterations,linear_iterations,residual,wall_seconds,strain_energy,"
       "bottom.reaction_x,bottom.reaction_y,bottom.reaction_z,"
-      "top.reaction_x,top.reaction_y,top.reaction_z,"
+      "top.reaction_x,top.reaction_y,top.reaction_z,top.torque,"
       "collagen.volume,collagen.von_mises_mean,collagen.von_mises_max\n");
 }
 
@@ -47,7 +50,7 @@ TEST(History, WritesTheColumnsOfTheContractInOrder) {
 TEST(History, AppendsRowsThatReadBackToTheSameBits) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
-  output::History history(world, folder / "history.csv", {"bottom", "top"}, {"collagen"});
+  output::History history(world, folder / "history.csv", sample_names);
   const output::HistoryRow row = sample_row();
   for (int n = 1; n <= 2; ++n) {
     history.append(row);
@@ -64,32 +67,38 @@ TEST(History, AppendsRowsThatReadBackToTheSameBits) {
       ASSERT_LT(column, expected.size());
       EXPECT_EQ(std::strtod(cell.c_str(), nullptr), expected[column]) << "column " << column;
     }
-    EXPECT_EQ(column, output::history_columns({"bottom", "top"}, {"collagen"}).size());
+    EXPECT_EQ(column, output::history_columns(sample_names).size());
     EXPECT_FALSE(std::getline(text, line));
   }
 }
 
 TEST(History, QuotesNamesThatWouldBreakARow) {
   const TemporaryFolder folder;
-  output::History history(base::Communicator::world(), folder / "h.csv", {}, {"gel, \"soft\""});
+  output::History history(base::Communicator::world(), folder / "h.csv",
+                          {{}, {}, {"gel, \"soft\""}});
   EXPECT_NE(content_of(folder / "h.csv").find(",\"gel, \"\"soft\"\".volume\","), std::string::npos);
 }
 
 TEST(History, FullDiskIsARunErrorOnEveryRank) {
   const auto world = base::Communicator::world();
-  const std::string message = message_of<base::RunError>(
-      [&] { output::History(world, "/dev/full", {"bottom"}, {"collagen"}); });
+  const std::string message =
+      message_of<base::RunError>([&] { output::History(world, "/dev/full", sample_names); });
   EXPECT_EQ(message, "cannot write '/dev/full': No space left on device");
   const TemporaryFolder folder;
   const std::string path = folder / "missing/history.csv";
-  EXPECT_EQ(message_of<base::RunError>([&] { output::History(world, path, {}, {}); }),
+  EXPECT_EQ(message_of<base::RunError>([&] { output::History(world, path, sample_names); }),
             "cannot write '" + path + "': No such file or directory");
 }
 
 TEST(History, RefusesARowThatDoesNotFitTheHeader) {
   const TemporaryFolder folder;
-  output::History history(base::Communicator::world(), folder / "h.csv", {"bottom"}, {"collagen"});
-  EXPECT_THROW(history.append(sample_row()), base::RunError);
+  for (const output::HistoryNames& names :
+       {output::HistoryNames{{"bottom"}, {"top"}, {"collagen"}},
+        output::HistoryNames{{"bottom", "top"}, {}, {"collagen"}},
+        output::HistoryNames{{"bottom", "top"}, {"top"}, {}}}) {
+    output::History history(base::Communicator::world(), folder / "h.csv", names);
+    EXPECT_THROW(history.append(sample_row()), base::RunError);
+  }
 }
 
 }  // namespace
