@@ -78,7 +78,13 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   // what particles take from them.
   const double of_fields = material::vary(materials) ? 28.0 : 0.0;
   const double taken = material::vary(materials) ? 16.0 + 2.0 * seeded : 0.0;
-  estimate.seeding = (8.0 + intensities + of_fields) * counts.voxels +
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  const bool are_measured =
+      std::any_of(conditions.begin(), conditions.end(),
+                  [](const auto& named) { return named.second.images.has_value(); });
+  // An image of displacements is read beside the labels; it may have other voxels than they.
+  const double measured = are_measured ? 4.0 : 0.0;
+  estimate.seeding = (8.0 + intensities + of_fields + measured) * counts.voxels +
                      (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles +
                      taken * counts.particles;
   estimate.particles = (resets ? 2.0 * moving + seeded : seeded + remembered) * counts.particles;

@@ -143,5 +143,32 @@ TEST_F(LoadCurves, ForcesFollowTheirCurves) {
   }
 }
 
+// V-TIME-3. A force per volume that comes late, and a weight that comes and goes, on a body of 512 um^3
+// with 1000 kg/m^3 in the gel and in the ball (1 kg/m^3 um^3 m/s^2 is 1e-6 pN).
+TEST_F(LoadCurves, VolumeForcesFollowTheirCurves) {
+  std::string text =
+      deck("", hold +
+                   "  External Forces:\n"
+                   "    push: {'Body Force [pN/um^3]': [2, 0, 0], Load Curve: late}\n"
+                   "    weight: {'Acceleration [m/s^2]': [0, -1e4, 0], Load Curve: "
+                   "there and back}\n"
+                   "  Loading: {'Duration [s]': 4, Steps: 4}\n");
+  text.erase(text.find("    top: "),
+             text.find('\n', text.find("    top: ")) + 1 - text.find("    top: "));
+  for (std::size_t at = text.find("Poisson"); at != std::string::npos;
+       at = text.find("Poisson", at + 40))
+    text.insert(at, "'Density [kg/m^3]': 1000, ");
+  const double volume = 512.0, late[] = {0.0, 0.0, 0.0, 0.5, 1.0},
+               back[] = {0.0, 0.5, 1.0, 0.5, 0.0};
+  for (const int ranks : {1, 2}) {
+    const History history = run(text, ranks);
+    for (std::size_t s = 0; s <= 4; ++s) {
+      EXPECT_NEAR(history["bottom.reaction_x"][s], -2.0 * volume * late[s], 1e-6) << s;
+      EXPECT_NEAR(history["bottom.reaction_y"][s], 1e-6 * 1000.0 * 1e4 * volume * back[s], 1e-6)
+          << s;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stroma::test
