@@ -596,6 +596,7 @@ function wallSection() {
     return { label: walls.length > 1 ? `${material}, wall of ${wall}` : material, n: m, dash: w, points: xy(x, part.column("von_mises_mean")),
       band: [xy(x, part.column("von_mises_p05")), xy(x, part.column("von_mises_p95"))] };
   })).filter((one) => one.points.length > 0);
+  if (series.length === 0) return section("wall", "Stress against distance to the wall", h("p", { class: "note" }, "The specimen has no walls."));
   return section("wall", "Stress against distance to the wall",
     lineChart("wall-chart", `Von Mises stress against distance to the wall: ${series.map((s) => s.label).join("; ")}`, `distance to the wall${walls.length === 1 ? " of " + walls[0] : ""} (µm)`, "von Mises stress (Pa)", series, { yFromZero: true }),
     h("p", { class: "note" }, "Lines: means by volume; bands: from the 5th to the 95th percentile."));

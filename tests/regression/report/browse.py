@@ -192,10 +192,29 @@ def check_pointer(driver, data, place):
     until(lambda: near(value_of(probe(driver), "von mises stress"), place[3], 5e-4), f"'{probe(driver)}' instead of {place[3]} Pa")
 
 
+def check_tables(driver, folder):
+    """Histogram, curves against the distance to the wall, and objects are those of the tables."""
+    rows = rows_of(folder / "histograms.csv")
+    least = min(low for low, row in zip(numbers(rows, "low"), rows[1:]) if row[1] == "von_mises")
+    drawn = [point for one in series(driver, "histogram-chart") for point in one["data"]]
+    expect(near(min(point["x"] for point in drawn), least, 1e-12), "the histogram begins elsewhere")
+
+    means = numbers(rows_of(folder / "wall_distance.csv"), "von_mises_mean")
+    drawn = {point["y"] for one in series(driver, "wall-chart") for point in one["data"]}
+    expect(drawn.issuperset(means), "a mean stress by the distance to the wall is not drawn")
+
+    rows = rows_of(folder / "objects.csv")
+    volumes = numbers(rows, "volume")
+    shown = driver.execute_script("return [...document.querySelectorAll('#objects tbody tr')].map((row) => row.firstElementChild.textContent)")
+    expect(len(shown) == min(15, len(volumes)), f"{len(shown)} objects of {len(volumes)} are shown")
+    expect(volumes[int(shown[0]) - 1] == max(volumes), "the first object is not the largest")
+
+
 def check_run(driver, folder, place):
     check_layout(driver, folder / "report.html")
     open_page(driver, folder / "report.html", 1280, "light")
     data = check_history(driver, folder)
+    check_tables(driver, folder)
     check_sliders(driver, data)
     check_pointer(driver, data, place)
 

@@ -426,6 +426,22 @@ TEST(Tables, AreThoseOfTheLastAcceptedStepOfARunThatStopsAndGoesOn) {
   }
 }
 
+/// The step that fails is another time and another load: stress that relaxes would be less.
+TEST(Tables, AreThoseOfTheLastAcceptedStepOfARunThatFails) {
+  const TemporaryFolder folder;
+  std::string deck = block("", "", viscous);
+  const std::string strain = "Strain: 0.2", solver = "Solver: {Newton Tolerance: 1e-12";
+  deck.replace(deck.find(strain), strain.size(), strain + ", Load Curve: late");
+  deck.replace(deck.find(solver), solver.size(),
+               "Solver: {Newton Iterations: 2, Newton Tolerance: 1e-9");
+  deck +=
+      "  Load Curves: {late: {\"Times [s]\": [0, 1, 2], Values: [0, 1e-4, 1]}}\n"
+      "  Loading: {Steps: 2, \"Duration [s]\": 2, Smallest Step: 0.5}\n";
+  run(folder, deck, "out", 1, "", 1);
+  EXPECT_EQ(History(folder / "out/history.csv").rows(), 2U);
+  expect_tables(folder / "out");
+}
+
 TEST(Tables, OfAHomogeneousStateHaveOneBin) {
   const TemporaryFolder folder;
   run(folder, R"(Stroma:
