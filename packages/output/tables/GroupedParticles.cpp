@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "stroma/tensor/PrincipalValues.hpp"
+#include "stroma/tensor/PrincipalBatch.hpp"
 
 namespace stroma::output {
 namespace {
@@ -23,10 +23,21 @@ struct Values {
   void set(std::size_t quantity, std::size_t particle, double value) {
     if (has(quantity)) of[quantity - first][particle] = value;
   }
-  void set_principal(std::size_t largest, std::size_t particle, const tensor::Tensor3& a) {
+  /// Of consecutive particles.
+  template <class TensorOf>
+  void set_principal(std::size_t largest, std::int64_t begin, std::int64_t number,
+                     const TensorOf& tensor_of) {
     if (!has(largest) && !has(largest + 1) && !has(largest + 2)) return;
-    const tensor::PrincipalValues values = tensor::principal_values(a);
-    for (std::size_t n = 0; n < 3; ++n) set(largest + n, particle, values(static_cast<int>(n)));
+    for (std::int64_t at = 0; at < number; at += tensor::SymmetricBatch::size) {
+      const auto count =
+          static_cast<int>(std::min<std::int64_t>(tensor::SymmetricBatch::size, number - at));
+      tensor::SymmetricBatch batch;
+      for (int n = 0; n < count; ++n) batch.set(n, tensor_of(at + n));
+      tensor::find_principal_values(batch);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (int n = 0; n < count; ++n)
+          set(largest + i, static_cast<std::size_t>(begin + at + n), batch.entry[i][n]);
+    }
   }
 };
 
@@ -42,10 +53,12 @@ Values evaluate(const ParticleSet& set, const StatePieces& states, std::size_t f
       values.volume[p] = particle.jacobian() * set.volume[p];
       values.set(jacobian, p, particle.jacobian());
       if (values.has(von_mises)) values.set(von_mises, p, tensor::von_mises(particle.stress()));
-      values.set_principal(principal_stress_1, p, particle.stress());
-      values.set_principal(principal_strain_1, p, particle.strain());
       if (look) look(begin + n, particle, values.volume[p]);
     }
+    values.set_principal(principal_stress_1, begin, number,
+                         [&](std::int64_t n) { return ParticleAt(state, n).stress(); });
+    values.set_principal(principal_strain_1, begin, number,
+                         [&](std::int64_t n) { return ParticleAt(state, n).strain(); });
   });
   return values;
 }

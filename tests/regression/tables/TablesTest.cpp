@@ -354,19 +354,18 @@ TEST(Tables, AreThoseOfTheParticles) {
 }
 
 TEST(Tables, FindTheVoxelsOfParticlesInAnyLayout) {
-  for (const char* choice :
-       {"Particles: {Layout: Gauss}", "Particles: {Layout: Per Element, Per Element: 3}",
-        "Particles: {Layout: Voxel Centers, Per Voxel: 2}"})
-    for (const char* functions : {"Linear", "GIMP"}) {
-      SCOPED_TRACE(std::string(choice) + functions);
-      const TemporaryFolder folder;
-      run(folder,
-          block("", std::string("\n    Shape Functions: ") + functions) + "  " + choice +
-              "\n  Loading: {Steps: 1}\n",
-          "out", 2);
-      expect_wall_table(folder / "out");
-      expect_object_table(folder / "out");
-    }
+  for (const auto& [layout, functions] : {std::pair{"Gauss", "Linear"},
+                                          {"Per Element, Per Element: 3", "GIMP"},
+                                          {"Voxel Centers, Per Voxel: 2", "Linear"}}) {
+    SCOPED_TRACE(layout);
+    const TemporaryFolder folder;
+    run(folder,
+        block("", std::string("\n    Shape Functions: ") + functions) +
+            "  Particles: {Layout: " + layout + "}\n  Loading: {Steps: 1}\n",
+        "out", 2);
+    expect_wall_table(folder / "out");
+    expect_object_table(folder / "out");
+  }
 }
 
 /// All tables, number for number.
