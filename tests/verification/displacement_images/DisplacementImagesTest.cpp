@@ -80,10 +80,11 @@ void expect_same(const History& found, const History& expected, double tolerance
 }
 
 // V-DVC-1. A linear displacement on all faces, by images of the specimen's voxels, and by coarser
-// ones that begin elsewhere: the homogeneous state, at nodes and by springs, on each number of ranks.
+// ones that begin elsewhere: the homogeneous state, at nodes, by grips and by springs, on each number
+// of ranks.
 TEST_F(DisplacementImages, ALinearFieldMakesAHomogeneousState) {
   const std::string in_both = "    all: {Face: all, Components: xyz, ";
-  for (const std::string way : {"Imposed By: Nodes", "Imposed By: Penalty"}) {
+  for (const std::string way : {"Imposed By: Nodes", "Imposed By: Grip", "Imposed By: Penalty"}) {
     SCOPED_TRACE(way);
     const History expected = run(
         deck(in_both + way + ", Displacement Gradient: " + gradient_in_deck + "}\n"), "expected");
@@ -195,6 +196,25 @@ TEST_F(DisplacementImages, OfARunReproduceItsInterior) {
     last = error;
   }
   EXPECT_LT(last, 1e-3 * 1.6);
+}
+
+// A run goes on with the images that it had, and with no others.
+TEST_F(DisplacementImages, MustBeTheSameWhenARunGoesOn) {
+  const auto pull = [](const Vector& X) { return Vector{0.0, 0.1 * X[1], 0.0}; };
+  write_images({8, 8, 8}, {1, 1, 1}, {0, 0, 0}, pull);
+  run(deck("    bottom: {Face: y-, Components: xyz}\n"
+           "    top: {Face: y+, Components: xyz, Displacement Images: {Images: [u_x.mhd, u_y.mhd, "
+           "u_z.mhd], 'Voxel Size [um]': [1, 1, 1]}}\n"),
+      "pulled");
+  const std::string again = "run pulled.yaml -o pulled --restart --quiet --set 'Loading|Steps=2'";
+  EXPECT_EQ(run_stroma(folder_.path(), again, 2).status, 0);
+  EXPECT_EQ(run_stroma(folder_.path(), "verify pulled").status, 0);
+  write_images({8, 8, 8}, {1, 1, 1}, {0, 0, 0}, linear);
+  const Outcome other = run_stroma(folder_.path(), again);
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.standard_error.find("checksums differ"), std::string::npos)
+      << other.standard_error;
+  EXPECT_NE(run_stroma(folder_.path(), "verify pulled").status, 0);
 }
 
 // What is wrong with images is told before anything is run, in the same words on each number of
