@@ -46,6 +46,15 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     term->set_load(load_);
   }
   find_supports(is_refused_if_loose);
+  if (inertia_ != nullptr) begin_motion();
+}
+
+void MomentumBalance::begin_motion() {
+  inertia_->follow(*supports_);
+  if (!inertia_->begins()) return;
+  const grid::Vector at_rest(owned_map());
+  inertia_->begin(*forces(at_rest).unbalanced);
+  forces_load_.reset();
 }
 
 MomentumBalance::MomentumBalance(const base::Communicator& communicator,
@@ -55,9 +64,14 @@ MomentumBalance::MomentumBalance(const base::Communicator& communicator,
     : MomentumBalance(communicator, partition, particles,
                       Problem{partition.grid(), laws, conditions}) {}
 
-MomentumBalance::Terms MomentumBalance::terms_of(const Problem& problem) const {
+MomentumBalance::Terms MomentumBalance::terms_of(const Problem& problem) {
   Terms terms;
   terms.push_back(std::make_unique<ElasticForce>(body_.halo(), body_.stress()));
+  if (problem.dynamics) {  // second, for its damping scales the tangent of stress
+    auto inertia = std::make_unique<Inertia>(body_, base_load_);
+    inertia_ = inertia.get();
+    terms.push_back(std::move(inertia));
+  }
   if (has_springs(problem)) terms.push_back(std::make_unique<Springs>(body_));
   if (has_dead_forces(problem)) terms.push_back(std::make_unique<DeadForces>(body_));
   for (const auto& make : problem.terms) terms.push_back(make(body_));
@@ -113,6 +127,7 @@ grid::RCP<grid::Vector> MomentumBalance::with_terms(bool changing, const TrialSt
     const TermForce one = term->force(state, *force);
     all.inverted += one.inverted;
     all.size = std::max(all.size, one.size);
+    all.rounding = std::max(all.rounding, one.rounding);
     if (sum != Teuchos::null) force->update(1.0, *sum, 1.0);
     sum = force;
   }
@@ -136,7 +151,8 @@ const ForceBalance& MomentumBalance::forces(const grid::Vector& u) {
   forces_.unbalanced = unbalanced;
   forces_.scale = std::max(supports_->reaction_norm(*unbalanced), all.size);
   forces_.hold = supports_->hold_norm(*unbalanced);
-  forces_.rounding = 16.0 * std::numeric_limits<double>::epsilon() * stiffest_diagonal_ * u.norm2();
+  forces_.rounding = std::max(
+      16.0 * std::numeric_limits<double>::epsilon() * stiffest_diagonal_ * u.norm2(), all.rounding);
   forces_.inverted = body_.communicator().sum(all.inverted);
   forces_load_ = load_;
   return forces_;
@@ -279,6 +295,37 @@ void MomentumBalance::tangent_times(const grid::Vector& u, const grid::Vector& v
   const grid::NodeView sum = halo().contributions();
   for (const auto& term : terms_) term->add_tangent_times(at_u, direction, sum);
   halo().sum_to_owner(product);
+}
+
+void MomentumBalance::arrive(double load, const grid::Vector& u) {
+  if (inertia_ == nullptr) return;
+  inertia_->arrive(load, u);
+  forces_load_.reset();
+}
+
+void MomentumBalance::follow(const MomentumBalance& other) {
+  body_.take_history(other.body_);
+  if (inertia_ != nullptr) inertia_->take_step(*other.inertia_);
+}
+
+double MomentumBalance::external_power(const grid::Vector& u) {
+  const grid::Vector& v = inertia_->velocity();
+  // At prescribed components what is unbalanced is the force of the supports.
+  grid::Vector free(v, Teuchos::Copy);
+  supports_->clear(free);
+  const grid::Vector& unbalanced = *forces(u).unbalanced;
+  double power = unbalanced.dot(v) - unbalanced.dot(free);
+  const auto at_u = state(u);
+  grid::Vector force(owned_map());
+  for (std::size_t n = 2; n < terms_.size(); ++n) {
+    terms_[n]->force(at_u, force);
+    power -= force.dot(v);
+  }
+  return power;
+}
+
+double MomentumBalance::damping_power(const grid::Vector& u) const {
+  return inertia_->damping_power(state(u));
 }
 
 void MomentumBalance::accept(const grid::Vector& u) {

@@ -14,7 +14,7 @@
 
 #include "stroma/mechanics/body/Body.hpp"
 #include "stroma/mechanics/conditions/Supports.hpp"
-#include "stroma/mechanics/terms/Term.hpp"
+#include "stroma/mechanics/terms/Inertia.hpp"
 #include "stroma/tangent/StencilMatrix.hpp"
 #include "stroma/tangent/TangentMatrix.hpp"
 
@@ -39,11 +39,14 @@ struct ForceBalance {
   std::int64_t inverted = 0;
 };
 
-/// Residual and tangent of the quasi-static balance of momentum on the grid of one base
+/// Residual and tangent of the balance of momentum on the grid of one base
 /// configuration. The unknown u is the displacement of the grid's nodes since then [um], in a
 /// Tpetra vector over owned_map(); the residual is the sum of the terms' forces (terms/):
 ///
-///     r(u) = f_elastic(u) + f_springs(u, load) - load f_dead + ...      [pN],   K = dr/du [pN/um].
+///     r(u) = f_elastic(u) + f_springs(u, load) - load f_dead + ...      [pN],   K = dr/du [pN/um],
+///
+/// with the force of inertia among them if the problem has dynamics: then u is the displacement at
+/// which momentum is in balance, one point of a time step (Inertia).
 ///
 /// Prescribed components of u (see Supports) are set by
 /// supports().impose(load, u); their rows of the residual are zero and their rows and columns of
@@ -128,6 +131,19 @@ class MomentumBalance {
   /// not satisfy those of wider functions. Collective.
   std::unique_ptr<MomentumBalance> with_hats(const grid::Partition& lattice) const;
 
+  /// The term of inertia; null: there is none.
+  Inertia* inertia() { return inertia_; }
+  const Inertia* inertia() const { return inertia_; }
+  /// The step to a load was accepted: a motion is at its end from now on.
+  void arrive(double load, const grid::Vector& u);
+  /// Makes the tangent that of a step of the same body on another grid.
+  void follow(const MomentumBalance& other);
+  /// What acts on a moving body besides its stress and its inertia, supports included [aJ/s]; with
+  /// inertia only.
+  double external_power(const grid::Vector& u);
+  /// What damping takes [aJ/s].
+  double damping_power(const grid::Vector& u) const;
+
   /// Tells the terms that a displacement is that of an accepted step, and that what they will be
   /// asked comes after it: histories may be written.
   void accept(const grid::Vector& u);
@@ -140,7 +156,7 @@ class MomentumBalance {
  private:
   using Terms = std::vector<std::unique_ptr<Term>>;
   TrialState state(const grid::Vector& u) const { return {u, body_.points(u)}; }
-  Terms terms_of(const Problem& problem) const;
+  Terms terms_of(const Problem& problem);
   bool has_forces_at(const grid::Vector& u) const;
   /// Whether the same displacement has other stresses at another load: by time, or driven.
   bool stress_follows_load() const;
@@ -148,10 +164,12 @@ class MomentumBalance {
                                      grid::RCP<grid::Vector> sum, TermForce& all) const;
   void find_steady_forces(const TrialState& state);
   void find_supports(bool is_refused_if_loose);
+  void begin_motion();
 
   Body body_;
   double base_load_, load_;
   double history_load_;  // at which histories were written last
+  Inertia* inertia_ = nullptr;  // one of the terms
   Terms terms_;
   double stiffest_diagonal_;  // [pN/um]
   std::unique_ptr<Supports> supports_;

@@ -108,6 +108,12 @@ void MovingBody::resume(const grid::Vector& u, const grid::Vector* previous) {
   if (previous != nullptr) previous_ = std::make_unique<grid::Vector>(*previous, Teuchos::Copy);
 }
 
+void MovingBody::resume_motion(const grid::Vector& velocity, const grid::Vector& acceleration) {
+  balance_->inertia()->resume(motion_.load, *displacement_, velocity, acceleration);
+  balance_->forget_forces();
+  is_predictable_ = motion_.load > 0.0;
+}
+
 bool MovingBody::begin_step() {
   if (!motion_.has_news) return false;
   if (motion_.history_load != motion_.load) balance_->accept(*displacement_);
@@ -155,7 +161,7 @@ void MovingBody::project() {
 }
 
 std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
-  if (!previous_ || !follows_the_load(problem_)) return std::nullopt;
+  if (!previous_ || problem_.dynamics || !follows_the_load(problem_)) return std::nullopt;
   const double ratio = (load - motion_.load) / (motion_.load - motion_.previous_load);
   grid::Vector u(*displacement_, Teuchos::Copy);
   u.update(-ratio, *previous_, 1.0 + ratio);
@@ -168,6 +174,8 @@ void MovingBody::accept(double load, const grid::Vector& u) {
   motion_.previous_load = motion_.load;
   motion_.load = load;
   motion_.has_news = true;
+  is_predictable_ = true;
+  balance_->arrive(load, u);
 }
 
 }  // namespace stroma::mechanics

@@ -61,6 +61,8 @@ class MovingBody {
   /// The displacements of the last accepted step and, if it is known, of the one before (null: not
   /// known), over balance().owned_map(): the last that a body needs to go on.
   void resume(const grid::Vector& u, const grid::Vector* previous);
+  /// The same of a body with inertia: the motion of its nodes at the last accepted step.
+  void resume_motion(const grid::Vector& velocity, const grid::Vector& acceleration);
 
   MomentumBalance& balance() { return *balance_; }
   const MomentumBalance& balance() const { return *balance_; }
@@ -78,13 +80,19 @@ class MovingBody {
   /// Displacement since the base configuration [um], of the last accepted step.
   const grid::Vector& displacement() const { return *displacement_; }
   /// Displacement at a load factor if the body goes on as in the last accepted step; nothing if
-  /// there is none to go by, or if load curves may turn it elsewhere. Its prescribed components are not set.
+  /// there is none to go by, if load curves may turn it elsewhere, or if it has inertia
+  /// (Inertia::predicted). Its prescribed components are not set.
   std::optional<grid::Vector> extrapolated(double load) const;
 
   /// Takes a converged displacement since the base.
   void accept(double load, const grid::Vector& u);
   /// After a failed step: what happened in the last accepted one is no guide.
-  void reject() { previous_.reset(); }
+  void reject() {
+    previous_.reset();
+    is_predictable_ = false;
+  }
+  /// Whether inertia has carried the body through the step before.
+  bool is_predictable() const { return is_predictable_; }
 
  private:
   void reset_grid();
@@ -96,6 +104,7 @@ class MovingBody {
   std::unique_ptr<grid::Vector> displacement_;
   std::unique_ptr<grid::Vector> previous_;  // a step earlier, on the same base; null: not known
   Motion motion_;
+  bool is_predictable_ = false;
 };
 
 }  // namespace stroma::mechanics

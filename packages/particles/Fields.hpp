@@ -17,8 +17,9 @@ namespace stroma::particles {
 /// Which bodies' particles have a field.
 enum class Presence {
   always,
-  where_particles_move,  ///< across the grid, or with a displacement of their own (make_movable)
-  where_materials_vary,  ///< from particle to particle
+  where_particles_move,          ///< across the grid, or with a displacement of their own (make_movable)
+  where_particles_carry_motion,  ///< velocities, with inertia (begin_motion)
+  where_materials_vary,          ///< from particle to particle
   where_laws_remember    ///< what happened to the particle
 };
 
@@ -51,6 +52,8 @@ void for_each_field(const Visit& visit, Sets&&... sets) {
   visit(Field{"base_gradient", "-", P::where_particles_move, Change::with_the_grid},
         sets.base_gradient...);
   visit(Field{"home", "-", P::where_particles_move}, sets.home...);
+  visit(Field{"velocity", "um/s", P::where_particles_carry_motion}, sets.velocity...);
+  visit(Field{"acceleration", "um/s^2", P::where_particles_carry_motion}, sets.acceleration...);
   visit(Field{"own_numbers", "the law's", P::where_materials_vary}, sets.own_numbers...);
   visit(Field{"history", "the law's", P::where_laws_remember}, sets.history...);
 }
@@ -111,6 +114,19 @@ void begin_history(Particles<Device>& particles, int numbers) {
   if (numbers == 0 || (count > 0 && particles.history.extent(0) == count)) return;
   allocate(particles.history, "history", count, static_cast<std::size_t>(numbers));
   Kokkos::deep_copy(particles.history, 0.0);
+}
+
+/// Gives particles a velocity and an acceleration, zeros, if they have none yet.
+/// \return whether they had none
+template <class Device>
+bool begin_motion(Particles<Device>& particles) {
+  const auto count = static_cast<std::size_t>(particles.count());
+  if (particles.velocity.extent(0) == count) return false;
+  for (auto* field : {&particles.velocity, &particles.acceleration}) {
+    allocate(*field, "motion", count);
+    Kokkos::deep_copy(*field, 0.0);
+  }
+  return true;
 }
 
 /// The same particles, with room of their own for what a step changes.

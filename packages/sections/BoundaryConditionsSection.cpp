@@ -150,7 +150,7 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
 
   deck::Section<BoundaryConditionsParameters> section(
       "Boundary Conditions",
-      "One sublist for each condition, named by the user. Required, unless there is a Rig.");
+      "One sublist for each condition, named by the user. Required, unless there is a Rig, or Loading|Inertia.");
   section.named_sections(condition, &BoundaryConditionsParameters::conditions, 0);
   return section;
 }

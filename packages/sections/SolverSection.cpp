@@ -2,10 +2,6 @@
 
 #include "stroma/sections/SolverSection.hpp"
 
-#include <cmath>
-
-#include "stroma/base/Log.hpp"
-#include "stroma/sections/Ascending.hpp"
 #include "stroma/sections/ValidLists.hpp"
 
 namespace stroma::sections {
@@ -66,45 +62,6 @@ deck::Section<SolverParameters> solver_section() {
     }
     if (p.muelu != Teuchos::null && p.preconditioner != PreconditionerKind::multigrid)
       findings.add("MueLu", "is used with Preconditioner = Multigrid only");
-  });
-  return section;
-}
-
-deck::Section<LoadingParameters> loading_section() {
-  deck::Section<LoadingParameters> section("Loading", "How the load grows from nothing to full.");
-  section.optional("Duration [s]", &LoadingParameters::duration, deck::positive(),
-                   "Time at full load. Without it, and without Times [s], time is the load factor: "
-                   "1 at full load.");
-  section.optional(
-      "Steps", &LoadingParameters::steps, deck::at_least(1),
-      "Equal load steps; without it 10, or Times [s]. A step that fails is halved and grows back "
-      "afterwards; multiples of 1 / Steps are always met.");
-  section.optional("Times [s]", &LoadingParameters::times, deck::positive(),
-                   "Ends of the steps, ascending, in the place of Steps; the last is the Duration "
-                   "[s]. All are met, whatever steps are halved.");
-  section.optional(
-      "Smallest Step", &LoadingParameters::smallest_step, deck::strictly_between(0.0, 1.0),
-      "Fraction of the full load below which steps are not halved; the run ends there.");
-  section.check([](const LoadingParameters& p, deck::Findings& findings) {
-    if (p.times && p.steps)
-      findings.add("Times [s]", "given beside \"Steps\"; give one of the two");
-    if (p.times && p.times->empty())
-      findings.add("Times [s]", "an empty list; admissible: at least one time");
-    if (!p.times && p.smallest_step > 1.0 / p.equal_steps())
-      findings.add("Smallest Step", "is larger than a step, 1 / Steps");
-    if (!p.times || p.times->empty()) return;
-    const std::vector<double>& times = *p.times;
-    refuse_descending("Times [s]", times, findings);
-    if (p.duration && std::abs(*p.duration - times.back()) > 1e-9 * times.back())
-      findings.add("Times [s]", base::format("end at %g s; admissible: at Duration [s], %g s",
-                                             times.back(), *p.duration));
-    double before = 0.0;
-    for (const double time : times) {
-      if (time > before && (time - before) / p.seconds() < p.smallest_step)
-        findings.add("Smallest Step",
-                     base::format("is larger than the step from %g to %g s", before, time));
-      before = time;
-    }
   });
   return section;
 }

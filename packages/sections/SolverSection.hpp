@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// The deck sections "Solver" and "Loading".
+/// The deck section "Solver".
 
 #include "stroma/deck/Section.hpp"
 #include "stroma/solver/SolverParameters.hpp"
@@ -11,6 +11,5 @@
 namespace stroma::sections {
 
 deck::Section<solver::SolverParameters> solver_section();
-deck::Section<solver::LoadingParameters> loading_section();
 
 }  // namespace stroma::sections

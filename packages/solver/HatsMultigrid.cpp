@@ -104,7 +104,7 @@ class HatsMultigrid : public Preconditioner {
     smoother_->compute();
     grid::Vector u(lattice_.halo().owned_map());
     lattice_.values_at_nodes(*balance_->linearization_point(), u);
-    hats_->body().take_history(balance_->body());
+    hats_->follow(*balance_);
     if (hats_->assemble_tangent(u) > 0) {  // hats alone turn a particle inside out
       u.putScalar(0.0);
       hats_->assemble_tangent(u);

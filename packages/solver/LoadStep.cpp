@@ -2,6 +2,7 @@
 
 #include "stroma/solver/LoadStep.hpp"
 
+#include "stroma/base/Error.hpp"
 #include "stroma/base/ForeignError.hpp"
 
 namespace stroma::solver {
@@ -12,12 +13,44 @@ void begin_step(mechanics::MovingBody& body, NewtonSolver& newton) {
   });
 }
 
+namespace {
+
+/// A step of a body with inertia: solved where the scheme has the balance, and brought to its end.
+NewtonResult solve_time_step(mechanics::MovingBody& body, NewtonSolver& newton, double load,
+                             grid::Vector& trial) {
+  mechanics::MomentumBalance& balance = body.balance();
+  const mechanics::Inertia& inertia = *balance.inertia();
+  const double at = inertia.balance_load(load);
+  balance.set_load(at);
+  if (body.is_predictable()) {
+    trial.assign(inertia.predicted(at));
+  } else {
+    trial.assign(body.displacement());
+    newton.predict(trial, balance.supports().change(at, trial));
+  }
+  balance.supports().impose(at, trial);
+  const NewtonResult result = newton.solve(trial);
+  if (at == load) return result;
+  inertia.go_to_end(trial);
+  balance.set_load(load);
+  balance.supports().impose(load, trial);
+  if (balance.forces(trial).inverted > 0)
+    throw base::StepRejected("particles are turned inside out at the end of the step");
+  return result;
+}
+
+}  // namespace
+
 NewtonResult solve_step(mechanics::MovingBody& body, NewtonSolver& newton, double load,
                         grid::Vector& trial) {
   mechanics::MomentumBalance& balance = body.balance();
-  balance.set_load(load);
   NewtonResult result;
   base::run_foreign(balance.halo().communicator(), [&] {
+    if (balance.inertia() != nullptr) {
+      result = solve_time_step(body, newton, load, trial);
+      return;
+    }
+    balance.set_load(load);
     if (const auto extrapolated = body.extrapolated(load)) {
       trial.assign(*extrapolated);
     } else {

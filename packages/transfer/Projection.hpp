@@ -3,25 +3,26 @@
 #pragma once
 
 /// \file
-/// Particles to grid and back: the projection of displacements that the paper's equations 1 and 2
-/// describe.
+/// Particles to grid and back: the projection of what particles carry, and of displacements as the
+/// paper's equations 1 and 2 describe it.
 
 #include "stroma/transfer/ElementParticles.hpp"
 
 namespace stroma::transfer {
 
-/// Adds the mass, and the mass times displacement, of each element's particles to its nodes:
+/// Adds the mass, and the mass times a vector u_p, of each element's particles to its nodes:
 ///
-///     m_I = sum_p m_p N_I,    (m u)_I = sum_p m_p N_I u_p,     m_p = V0 (times rho, if given)
+///     m_I = sum_p m_p N_I,    (m u)_I = sum_p m_p N_I u_p,     m_p = V0 rho
 ///
-/// whose quotient is the paper's equation 1. u_p is the whole displacement, from the undeformed
-/// body. Launch with for_each_element(). Source: docs/theory.md, eq. (2.8).
+/// whose quotient is, with the displacement from the undeformed body, the paper's equation 1; with
+/// a velocity, (m v)_I is the nodes' momentum. Launch with for_each_element(). Source:
+/// docs/theory.md, eq. (2.8).
 template <class Shape, class Device>
-struct ProjectDisplacement {
+struct ProjectToNodes {
   using NodeView = Kokkos::View<double* [3], Kokkos::LayoutRight, Device>;
 
   ElementParticles<Shape, Device> elements;
-  Kokkos::View<const double* [3], Kokkos::LayoutRight, Device> displacement;  ///< u_p [um]
+  Kokkos::View<const double* [3], Kokkos::LayoutRight, Device> field;  ///< u_p
   Kokkos::View<const double*, Device> density;  ///< (material), any unit
   NodeView mass;                                ///< (touched node, 0), added to
   NodeView momentum;                            ///< (touched node, i) m u, added to
@@ -33,7 +34,7 @@ struct ProjectDisplacement {
       for (int a = 0; a < Shape::nodes; ++a) {
         m[a] += mass_of_particle * point.value[a];
         for (int c = 0; c < 3; ++c)
-          mu[c][a] += mass_of_particle * point.value[a] * displacement(point.p, c);
+          mu[c][a] += mass_of_particle * point.value[a] * field(point.p, c);
       }
     });
     for (int a = 0; a < Shape::nodes; ++a) {
@@ -65,11 +66,12 @@ struct GradientFromDisplacement {
   }
 };
 
-/// Adds to each particle's base displacement what nodal values v carry: u_p += sum_I N_I v_I.
+/// Adds to a vector of each particle what nodal values v carry: w_p += sum_I N_I v_I.
 /// `elements.displacement` holds v.
 template <class Shape, class Device>
-struct AddToDisplacement {
+struct AddAtParticles {
   ElementParticles<Shape, Device> elements;
+  Kokkos::View<double* [3], Kokkos::LayoutRight, Device> field;  ///< (particle, i) w, added to
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double v[3][Shape::nodes];
@@ -77,7 +79,7 @@ struct AddToDisplacement {
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       for (int c = 0; c < 3; ++c)
         for (int a = 0; a < Shape::nodes; ++a)
-          elements.particles.base_displacement(point.p, c) += point.value[a] * v[c][a];
+          field(point.p, c) += point.value[a] * v[c][a];
     });
   }
 };

@@ -70,6 +70,13 @@ struct StencilRows {
     }
   }
 
+  /// Multiplies all that was added so far.
+  void scale(float factor) const {
+    const auto all = values;
+    Kokkos::parallel_for(
+        "scale rows", Kokkos::RangePolicy<typename Device::execution_space>(0, values.extent(0)),
+        KOKKOS_LAMBDA(const std::size_t n) { all(n) *= factor; });
+  }
   /// Adds to the diagonal entry of a component of a node, if it is not prescribed.
   KOKKOS_INLINE_FUNCTION void add_to_diagonal(int node, int component, double value) const {
     if (held_of(node) >> component & 1) return;

@@ -52,6 +52,20 @@ struct BlockRows {
     }
   }
 
+  /// Multiplies all that was added so far.
+  void scale(double factor) const {
+    const auto all = values;
+    const auto of_others = shared;
+    Kokkos::parallel_for(
+        "scale rows", Kokkos::RangePolicy<typename Device::execution_space>(0, values.extent(0)),
+        KOKKOS_LAMBDA(const std::size_t n) { all(n) *= factor; });
+    Kokkos::parallel_for(
+        "scale rows of others",
+        Kokkos::RangePolicy<typename Device::execution_space>(0, shared.extent(0)),
+        KOKKOS_LAMBDA(const std::size_t n) {
+          for (std::size_t m = 0; m < of_others.extent(1); ++m) of_others(n, m) *= factor;
+        });
+  }
   /// Adds to the diagonal entry of a component of a node, if it is not prescribed.
   KOKKOS_INLINE_FUNCTION void add_to_diagonal(int node, int component, double value) const {
     if (held(node) >> component & 1) return;

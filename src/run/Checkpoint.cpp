@@ -148,6 +148,7 @@ std::vector<double> values_of_curves(const DeckParameters& p,
 /// the image.
 bool is_state(const particles::Field& field) {
   return field.change == particles::Change::with_the_grid ||
+         field.presence == particles::Presence::where_particles_carry_motion ||
          field.presence == particles::Presence::where_laws_remember;
 }
 
@@ -254,6 +255,12 @@ void write_checkpoint(const base::Communicator& communicator, const std::string&
   arrays.nodes("displacement", about, body.displacement(), partition);
   if (body.previous_displacement() != nullptr)
     arrays.nodes("previous_displacement", about, *body.previous_displacement(), partition);
+  if (const mechanics::Inertia* inertia = body.balance().inertia()) {
+    arrays.nodes("velocity", "(z, y, x of the node, component) [um/s]", inertia->velocity(),
+                 partition);
+    arrays.nodes("acceleration", "(z, y, x of the node, component) [um/s^2]",
+                 inertia->acceleration(), partition);
+  }
   add_particles(arrays, communicator, body.balance().body().particles());
   output::write_state(communicator, path, arrays.all());
 }
@@ -396,6 +403,12 @@ std::unique_ptr<mechanics::MovingBody> Checkpoint::body(const Specimen& specimen
   const bool has_previous = file_->has("grid/previous_displacement");
   if (has_previous) restore("grid/previous_displacement", previous, balance.halo().partition());
   body->resume(u, has_previous ? &previous : nullptr);
+  if (balance.inertia() != nullptr) {
+    grid::Vector velocity(balance.owned_map()), acceleration(balance.owned_map());
+    restore("grid/velocity", velocity, balance.halo().partition());
+    restore("grid/acceleration", acceleration, balance.halo().partition());
+    body->resume_motion(velocity, acceleration);
+  }
   return body;
 }
 

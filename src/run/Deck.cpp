@@ -16,7 +16,9 @@
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
 #include "stroma/sections/ImageSection.hpp"
+#include "stroma/sections/InitialConditionsSection.hpp"
 #include "stroma/sections/LoadCurvesSection.hpp"
+#include "stroma/sections/LoadingSection.hpp"
 #include "stroma/sections/MaterialsSection.hpp"
 #include "stroma/sections/OutputSection.hpp"
 #include "stroma/sections/ParticlesSection.hpp"
@@ -95,6 +97,24 @@ void refuse_viscosity_without_time(const DeckParameters& p, deck::Findings& find
     }
 }
 
+/// Inertia asks for masses, and a body without inertia has no motion to begin with.
+void refuse_what_inertia_lacks(const DeckParameters& p, deck::Findings& findings) {
+  if (!p.loading.inertia) {
+    if (!p.initial_conditions.conditions.empty())
+      findings.add("Initial Conditions", "is used with Loading|Inertia = true only");
+    return;
+  }
+  for (const auto& [material, values] : p.materials.materials)
+    if (!values.density)
+      findings.add("Materials|" + material + "|Density [kg/m^3]",
+                   "missing; Loading|Inertia = true asks for it");
+  if (p.grid.deformation_gradient == mechanics::DeformationGradient::projected_displacement)
+    findings.add(
+        "Grid|Deformation Gradient",
+        "\"Projected Displacement\" has no motion; admissible with Loading|Inertia = true: "
+        "\"Incremental\"");
+}
+
 /// Gives conditions and forces the curves that they name.
 void attach_load_curves(DeckParameters& p) {
   const auto attach = [&](auto& named) {
@@ -164,13 +184,16 @@ deck::Section<DeckParameters> deck_section() {
   section.section(sections::boundary_conditions_section(), &DeckParameters::boundary_conditions);
   section.section(sections::rig_section(), &DeckParameters::rig);
   section.section(sections::external_forces_section(), &DeckParameters::external_forces);
+  section.section(sections::initial_conditions_section(), &DeckParameters::initial_conditions);
   section.section(sections::load_curves_section(), &DeckParameters::load_curves);
   section.section(sections::loading_section(), &DeckParameters::loading);
   section.section(sections::solver_section(), &DeckParameters::solver);
   section.section(sections::output_section(), &DeckParameters::output);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
-    if (!p.rig && p.boundary_conditions.conditions.empty())
-      findings.add("Boundary Conditions", "missing; admissible: one condition or more, or a Rig");
+    if (!p.rig && !p.loading.inertia && p.boundary_conditions.conditions.empty())
+      findings.add(
+          "Boundary Conditions",
+          "missing; admissible: one condition or more, or a Rig, or Loading|Inertia = true");
     if (p.rig && !p.boundary_conditions.conditions.empty())
       findings.add("Rig", "beside Boundary Conditions; admissible: one of the two");
   });
@@ -178,6 +201,7 @@ deck::Section<DeckParameters> deck_section() {
   section.check(refuse_unknown_load_curves);
   section.check(refuse_viscosity_without_time);
   section.check(refuse_displacement_images_with_reset);
+  section.check(refuse_what_inertia_lacks);
   section.check(refuse_mean_without_energy_of_volume);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {
@@ -248,9 +272,9 @@ Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
 
 base::InputError located(const Deck& deck, const base::InputError& error) {
   static const std::vector<std::string> sections{
-      "Image", "Materials",       "Particles",   "Grid",    "Boundary Conditions",
-      "Rig",   "External Forces", "Load Curves", "Loading", "Solver",
-      "Output"};
+      "Image",  "Materials",       "Particles",          "Grid",        "Boundary Conditions",
+      "Rig",    "External Forces", "Initial Conditions", "Load Curves", "Loading",
+      "Solver", "Output"};
   deck::Findings findings(deck.document);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) {

@@ -18,6 +18,7 @@
 #include "stroma/mechanics/problem/BoundaryConditions.hpp"
 #include "stroma/mechanics/problem/ExternalForces.hpp"
 #include "stroma/mechanics/problem/GridParameters.hpp"
+#include "stroma/mechanics/problem/InitialConditions.hpp"
 #include "stroma/mechanics/problem/LoadCurve.hpp"
 #include "stroma/mechanics/problem/Rigs.hpp"
 #include "stroma/output/OutputParameters.hpp"
@@ -36,6 +37,7 @@ struct DeckParameters {
       boundary_conditions;                      ///< of a deck that was read: the rig's, too
   std::optional<mechanics::RigParameters> rig;  ///< in their place
   mechanics::ExternalForcesParameters external_forces;
+  mechanics::InitialConditionsParameters initial_conditions;
   mechanics::LoadCurvesParameters load_curves;
   solver::LoadingParameters loading;
   solver::SolverParameters solver;

@@ -44,6 +44,13 @@ std::string body_of_deck(const Deck& deck) {
   const auto list = deck::filled(deck_section(), parameters);
   for (const char* free : {"Title", "Loading", "Load Curves", "Solver", "Output"})
     list->remove(free, false);
+  if (deck.parameters.loading.inertia) {  // a body's motion is kept as its masses have it
+    Teuchos::ParameterList& loading = list->sublist("Loading");
+    loading.set("Inertia", true);
+    loading.set("Mass", deck.parameters.loading.mass == solver::MassMatrix::lumped
+                            ? std::string("Lumped")
+                            : std::string("Consistent"));
+  }
   std::ostringstream text;
   Teuchos::writeParameterListToXmlOStream(*list, text);
   return text.str();

@@ -188,8 +188,8 @@ output::ParticleSet FieldFiles::particle_set() const {
 
 output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance,
                                        const grid::Vector& u) const {
-  auto shown = shown_fields(communicator_, deck_->parameters.materials.materials, *specimen_,
-                            balance.body().particles());
+  auto shown =
+      shown_fields(communicator_, deck_->parameters.materials.materials, *specimen_, balance);
   if (deck_->parameters.grid.reset) {  // particles have left their homes: all must be at hand
     const int count = specimen_->particles.count();
     const HomeOrder home(communicator_, balance.body().particles(), count);
@@ -214,8 +214,8 @@ output::StatePieces FieldFiles::states(const mechanics::MomentumBalance& balance
 
 std::vector<output::ShownField> FieldFiles::shown(const mechanics::MomentumBalance& balance) const {
   std::vector<output::ShownField> fields;
-  for (const ShownValues& one : shown_fields(communicator_, deck_->parameters.materials.materials,
-                                             *specimen_, balance.body().particles()))
+  for (const ShownValues& one :
+       shown_fields(communicator_, deck_->parameters.materials.materials, *specimen_, balance))
     fields.push_back(one.field);
   return fields;
 }

@@ -72,7 +72,12 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   double seeded = bytes_of_particle({Presence::always});
   seeded += sizeof(double) * material::numbers_of_particles(materials);
   const double remembered = sizeof(double) * material::states_of_materials(materials);
-  const double moving = seeded + bytes_of_particle({Presence::where_particles_move}) + remembered;
+  const bool carry_motion = parameters.loading.inertia &&
+                            (resets || parameters.loading.mass == solver::MassMatrix::consistent);
+  const double kept =
+      remembered +
+      (carry_motion ? bytes_of_particle({Presence::where_particles_carry_motion}) : 0.0);
+  const double moving = seeded + bytes_of_particle({Presence::where_particles_move}) + kept;
   constexpr double order = 24.0;  // of a particle, while particles are sorted
   // What fields are made of: an image with its copy, or the gradients of one and their product; and
   // what particles take from them.
@@ -87,7 +92,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   estimate.seeding = (8.0 + intensities + of_fields + measured) * counts.voxels +
                      (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles +
                      taken * counts.particles;
-  estimate.particles = (resets ? 2.0 * moving + seeded : seeded + remembered) * counts.particles;
+  estimate.particles = (resets ? 2.0 * moving + seeded : seeded + kept) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =
       resets ? (160.0 + 72.0) * counts.particles : 160.0 * counts.particles / counts.layers;
@@ -100,7 +105,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const double stencil = 504.0 * nodes;
   const double blocks = std::pow(2.0 * grid.width - 1.0, flat ? 2.0 : 3.0);  // of a row
   estimate.tangent = is_stencil ? stencil + 48.0 * nodes : (9.0 * 12.0 + 2.0) * blocks * nodes;
-  estimate.vectors = 20.0 * 24.0 * nodes;
+  estimate.vectors = (parameters.loading.inertia ? 30.0 : 20.0) * 24.0 * nodes;
   if (is_geometric) estimate.preconditioner = stencil / 7.0 + 8.0 / 7.0 * 72.0 * nodes;
   if (is_geometric && !is_stencil)
     estimate.preconditioner += stencil + 48.0 * nodes + 6.0 * 24.0 * nodes;

@@ -37,10 +37,34 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
   folder.finish("deck.xml");
 }
 
+namespace {
+
+/// Energies of a body with inertia; powers are integrated by the trapezoidal rule.
+std::optional<output::HistoryRow::Motion> motion_of(const output::HistoryRow& row,
+                                                    const std::vector<output::HistoryRow>& before,
+                                                    mechanics::MomentumBalance& balance,
+                                                    const grid::Vector& u) {
+  if (balance.inertia() == nullptr) return std::nullopt;
+  output::HistoryRow::Motion motion;
+  motion.kinetic_energy = balance.inertia()->kinetic_energy();
+  motion.external_power = balance.external_power(u);
+  motion.damping_power = balance.damping_power(u);
+  if (before.empty()) return motion;
+  const output::HistoryRow::Motion& last = *before.back().motion;
+  const double half_step = 0.5 * (row.time - before.back().time);
+  motion.external_work =
+      last.external_work + half_step * (last.external_power + motion.external_power);
+  motion.damping_work = last.damping_work + half_step * (last.damping_power + motion.damping_power);
+  return motion;
+}
+
+}  // namespace
+
 void Results::write(output::HistoryRow row, mechanics::MomentumBalance& balance,
                     const grid::Vector& u) {
   row.reactions = balance.reactions(u);
   row.torques = balance.torques(u);
+  row.motion = motion_of(row, rows_, balance, u);
   rows_.push_back(with_figures(std::move(row), communicator_, balance.body(), u));
   history_.append(rows_.back());
   write_missing(balance, u);

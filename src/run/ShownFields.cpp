@@ -51,7 +51,8 @@ std::vector<ShownValues> shown_of_laws(const material::NamedMaterials& materials
 std::vector<ShownValues> shown_fields(const base::Communicator& communicator,
                                       const material::NamedMaterials& materials,
                                       const Specimen& specimen,
-                                      const particles::Particles<grid::Device>& particles) {
+                                      const mechanics::MomentumBalance& balance) {
+  const particles::Particles<grid::Device>& particles = balance.body().particles();
   std::vector<ShownValues> shown = shown_of_laws(materials, specimen.own_numbers, particles);
   particles::for_each_field(
       [&](const particles::Field& field, const auto& view) {
@@ -61,6 +62,14 @@ std::vector<ShownValues> shown_fields(const base::Communicator& communicator,
             shown.push_back({{field.name, field.unit}, view});
       },
       particles);
+  if (balance.inertia() != nullptr) {
+    const grid::ConstNodeView velocity = balance.inertia()->particle_velocity();
+    for (int c = 0; c < 3; ++c) {
+      const Kokkos::View<double*, grid::Device> component("velocity", velocity.extent(0));
+      Kokkos::deep_copy(component, Kokkos::subview(velocity, Kokkos::ALL, c));
+      shown.push_back({{std::string("velocity_") + "xyz"[c], "um/s"}, component});
+    }
+  }
   return shown;
 }
 

@@ -22,14 +22,15 @@ struct ShownValues {
 };
 
 /// The fields that the list of fields has shown (particles::Field) and that the particles of some
-/// rank have, and the numbers of laws that vary; the same on all ranks. Collective.
+/// rank have, the numbers of laws that vary, and velocities of a body with inertia; the same on all
+/// ranks. Collective.
 /// \param materials  the deck's
 /// \param specimen   which of their numbers vary
-/// \param particles  as they are now
+/// \param balance    of the particles as they are now
 std::vector<ShownValues> shown_fields(const base::Communicator& communicator,
                                       const material::NamedMaterials& materials,
                                       const Specimen& specimen,
-                                      const particles::Particles<grid::Device>& particles);
+                                      const mechanics::MomentumBalance& balance);
 
 /// Results and shown values of consecutive particles, as files take them.
 /// \param fields  results; must outlive the state

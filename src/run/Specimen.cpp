@@ -185,6 +185,10 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   if (problem.density.size() != problem.laws.size()) problem.density.clear();
   problem.outer_thickness = specimen.layout.outer_thickness;
   problem.particle_half_edge = specimen.layout.half_edge;
+  problem.dynamics = p.loading.dynamics();
+  if (problem.dynamics)
+    problem.dynamics->initial_velocity =
+        mechanics::initial_velocity(p.initial_conditions, specimen.body);
   problem.method = mechanics::method_of(p.grid, material::compressibility(p.materials.materials));
   return problem;
 }

@@ -34,6 +34,8 @@ struct Specimen {
   mechanics::NamedForces forces;
   decltype(mechanics::Problem::body_force) body_force;  ///< [pN/um^3], at X
   std::vector<double> density;                          ///< of each law [kg/m^3]
+  std::optional<mechanics::Dynamics> dynamics;
+  double duration = 1.0;  ///< [s]
   double stabilization = 0.0;
   shape::ShapeFunctions shape_functions = shape::ShapeFunctions::linear;
   mechanics::ParticleDomain particle_domain = mechanics::ParticleDomain::stretched;
@@ -106,6 +108,8 @@ struct Specimen {
     problem.forces = forces;
     problem.body_force = body_force;
     problem.density = density;
+    problem.dynamics = dynamics;
+    problem.duration = duration;
     const auto sizes = particles::layout_sizes(layout, problem.body, voxels(), voxel_size());
     problem.outer_thickness = sizes.outer_thickness;
     problem.particle_half_edge = sizes.half_edge;

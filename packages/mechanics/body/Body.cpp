@@ -87,6 +87,8 @@ Body::Body(const base::Communicator& communicator, const grid::Partition& partit
         "a mean dilatation averages the laws' energies of volume, and one of them has none; "
         "admissible: Dilatation::pointwise");
   particles::begin_history(particles_, stress_->states());
+  if (particles_carry_motion())
+    begins_motion_ = communicator.any(particles::begin_motion(particles_));
   typical_diagonal_ = problem.laws.stiffest_modulus() *
                       std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
   if (problem.method.stabilization > 0.0) find_fictitious_points(problem.method.stabilization);
@@ -169,7 +171,7 @@ void Body::project_displacement(const grid::Vector& u, grid::Vector& projected) 
   const Points at_u = points(u);
   const std::size_t nodes = at_u.displacement.extent(0);
   const grid::NodeView mass_of_nodes("mass", nodes), momentum("momentum", nodes);
-  kernels_->project_displacement(at_u, fields.displacement, density_, mass_of_nodes, momentum);
+  kernels_->project_to_nodes(at_u, fields.displacement, density_, mass_of_nodes, momentum);
   grid::Vector mass(halo_.owned_map());
   Kokkos::deep_copy(halo_.contributions(), mass_of_nodes);
   halo_.sum_to_owner(mass);
@@ -194,7 +196,7 @@ void Body::set_base_gradient(const grid::Vector& projected) {
 void Body::replace_displacement(const grid::Vector& old, const grid::Vector& now) {
   grid::Vector difference(old, Teuchos::Copy);
   difference.update(-1.0, now, 1.0);
-  kernels_->add_to_displacement(points(difference));
+  kernels_->add_at_particles(points(difference), particles_.base_displacement);
 }
 
 void Body::take_history(const Body& other) {

@@ -82,6 +82,13 @@ class Body {
   const std::shared_ptr<const StressKernels>& stress() const { return stress_; }
   /// (material) [kg/m^3]; 1 where the problem gives none.
   const Kokkos::View<const double*, Device>& density() const { return density_; }
+  /// Whether velocities and accelerations are the particles' (Particles::velocity).
+  bool particles_carry_motion() const {
+    const auto& dynamics = problem_.dynamics;
+    return dynamics && (problem_.method.reset || !dynamics->lumped);
+  }
+  /// Whether a motion begins with this body: it was not given particles that have one.
+  bool begins_motion() const { return begins_motion_; }
   /// About the size of an element's entries on the tangent's diagonal [pN/um].
   double typical_diagonal() const { return typical_diagonal_; }
 
@@ -153,6 +160,7 @@ class Body {
   transfer::ParticleDomains<Device> domains_;
   double typical_diagonal_;
   double time_step_ = 0.0;
+  bool begins_motion_ = true;
   Kokkos::View<const material::MaterialFactors*, Device> factors_;  // (material) or empty
 };
 

@@ -73,12 +73,18 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
   }
   body.held_otherwise([&](const HeldComponent& held) { statics.add_held(held); });
   statics.complete();
+  pieces_ = statics.summary();
+  if (problem.dynamics) {  // inertia holds what nothing else does
+    pieces_.carried = pieces_.carried_elements = pieces_.carried_particles = 0;
+    mark_held();
+    held_owned_ = {};
+    return;
+  }
   if (body.is_refused_if_loose) {
     std::vector<std::string> names;
     for (const auto& named : problem.conditions) names.push_back(named.first);
     statics.refuse_what_moves(names, base_load == 0.0);
   }
-  pieces_ = statics.summary();
   carry_idle_pieces(body, statics);
   hold_free_motions(body, statics.free_pieces(), problem.method.reset);
   mark_held();

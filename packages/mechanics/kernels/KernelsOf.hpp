@@ -9,6 +9,7 @@
 
 #include "stroma/mechanics/kernels/ShapeKernels.hpp"
 #include "stroma/transfer/Advance.hpp"
+#include "stroma/transfer/MassTangent.hpp"
 #include "stroma/transfer/Projection.hpp"
 #include "stroma/transfer/Touch.hpp"
 
@@ -64,19 +65,33 @@ class KernelsOf : public ShapeKernels {
     launch("spring tangent times", points,
            transfer::SpringTangentTimes<Shape, Device>{{points}, boundary, direction, product});
   }
-  void project_displacement(const Points& points, const NodeView& displacement,
-                            const Kokkos::View<const double*, Device>& density,
-                            const NodeView& mass, const NodeView& momentum) const override {
-    launch("project displacement", points,
-           transfer::ProjectDisplacement<Shape, Device>{
-               {points}, displacement, density, mass, momentum});
+  void project_to_nodes(const Points& points, const ConstNodeView& field,
+                        const Kokkos::View<const double*, Device>& density, const NodeView& mass,
+                        const NodeView& momentum) const override {
+    launch("project to nodes", points,
+           transfer::ProjectToNodes<Shape, Device>{{points}, field, density, mass, momentum});
+  }
+  void add_at_particles(const Points& points, const NodeView& field) const override {
+    launch("add at particles", points, transfer::AddAtParticles<Shape, Device>{{points}, field});
+  }
+  void mass_tangent(const Points& points, const Kokkos::View<const double*, Device>& density,
+                    const transfer::BlockRows<Device>& rows) const override {
+    launch("mass tangent", points,
+           transfer::MassTangent<Shape, Device, transfer::BlockRows<Device>>{
+               {points}, density, rows});
+  }
+  void mass_tangent(const Points& points, const Kokkos::View<const double*, Device>& density,
+                    const transfer::StencilRows<Device>& rows) const override {
+    if constexpr (Shape::width == 2)
+      launch("mass tangent", points,
+             transfer::MassTangent<Shape, Device, transfer::StencilRows<Device>>{
+                 {points}, density, rows});
+    else
+      throw std::logic_error("a stencil of 27 blocks cannot hold the mass of wider functions");
   }
   std::int64_t gradient_from_displacement(const Points& points) const override {
     return launch("gradient from displacement", points,
                   transfer::GradientFromDisplacement<Shape, Device>{{points}});
-  }
-  void add_to_displacement(const Points& points) const override {
-    launch("keep displacement", points, transfer::AddToDisplacement<Shape, Device>{{points}});
   }
   void advance(const Points& points, const Particles& moved) const override {
     launch("advance", points, transfer::Advance<Shape, Device>{{points}, moved});

@@ -60,14 +60,21 @@ class ShapeKernels {
   virtual void spring_tangent_times(const Points& points, const BoundaryPoints& boundary,
                                     const ConstNodeView& direction,
                                     const NodeView& product) const = 0;
-  /// transfer::ProjectDisplacement; mass and momentum are added to.
-  virtual void project_displacement(const Points& points, const NodeView& displacement,
-                                    const Kokkos::View<const double*, Device>& density,
-                                    const NodeView& mass, const NodeView& momentum) const = 0;
+  /// transfer::ProjectToNodes; mass and momentum are added to.
+  virtual void project_to_nodes(const Points& points, const ConstNodeView& field,
+                                const Kokkos::View<const double*, Device>& density,
+                                const NodeView& mass, const NodeView& momentum) const = 0;
+  /// transfer::AddAtParticles.
+  virtual void add_at_particles(const Points& points, const NodeView& field) const = 0;
+  /// transfer::MassTangent.
+  virtual void mass_tangent(const Points& points,
+                            const Kokkos::View<const double*, Device>& density,
+                            const transfer::BlockRows<Device>& rows) const = 0;
+  virtual void mass_tangent(const Points& points,
+                            const Kokkos::View<const double*, Device>& density,
+                            const transfer::StencilRows<Device>& rows) const = 0;
   /// transfer::GradientFromDisplacement: writes the particles' base gradients.
   virtual std::int64_t gradient_from_displacement(const Points& points) const = 0;
-  /// transfer::AddToDisplacement: writes the particles' base displacements.
-  virtual void add_to_displacement(const Points& points) const = 0;
   /// transfer::Advance: writes position, base displacement and gradient of `moved`.
   virtual void advance(const Points& points, const Particles& moved) const = 0;
 };

@@ -9,9 +9,11 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "stroma/mechanics/problem/BoundaryConditions.hpp"
+#include "stroma/mechanics/problem/Dynamics.hpp"
 #include "stroma/mechanics/problem/ExternalForces.hpp"
 #include "stroma/mechanics/problem/Laws.hpp"
 #include "stroma/mechanics/problem/Method.hpp"
@@ -37,7 +39,8 @@ struct Problem {
   /// was in the undeformed body, X [um]; empty: none. For applications and tests, not for decks.
   std::function<std::array<double, 3>(const std::array<double, 3>& X)> body_force = {};
   double duration = 1.0;             ///< time at full load [s]
-  std::vector<double> density = {};  ///< of each material [kg/m^3]; empty: all alike
+  /// Of each material [kg/m^3]; empty: all alike, which inertia does not take.
+  std::vector<double> density = {};
   /// Of the particles next to the body's faces across each axis, at load 0 [um]; tractions and
   /// penalties need it.
   std::array<double, 3> outer_thickness{};
@@ -46,6 +49,7 @@ struct Problem {
   std::array<std::vector<double>, 3> particle_half_edge{};
 
   Method method = {};
+  std::optional<Dynamics> dynamics = {};  ///< absent: without inertia
   /// An application's own terms of the balance (terms/Term.hpp), made anew with each base
   /// configuration.
   std::vector<std::function<std::unique_ptr<Term>(const Body&)>> terms = {};

@@ -15,7 +15,7 @@ TermForce ElasticForce::force(const TrialState& state, grid::Vector& force) cons
   const base::Stage stage("internal force");
   const std::int64_t inverted = kernels_->internal_force(state.points, halo_.contributions());
   halo_.sum_to_owner(force);
-  return {inverted, 0.0};
+  return {inverted};
 }
 
 std::int64_t ElasticForce::add_tangent(const TrialState& state,

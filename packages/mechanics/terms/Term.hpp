@@ -27,6 +27,8 @@ struct TermForce {
   /// Euclidean norm over all ranks [pN], of a force that counts among those to which a residual is
   /// compared; 0: it does not.
   double size = 0.0;
+  /// How far rounding alone puts it from what it should be [pN].
+  double rounding = 0.0;
 };
 
 /// One summand f(u, load) of the residual, with its share of the tangent, df/du. A term lives as

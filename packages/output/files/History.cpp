@@ -27,6 +27,13 @@ void for_each_value(Row& row, const Use& use) {
   use(row.residual);
   use(row.wall_seconds);
   use(row.strain_energy);
+  if (row.motion) {
+    use(row.motion->kinetic_energy);
+    use(row.motion->external_work);
+    use(row.motion->damping_work);
+    use(row.motion->external_power);
+    use(row.motion->damping_power);
+  }
   for (auto& reaction : row.reactions) {
     for (auto& component : reaction) use(component);
   }
@@ -44,6 +51,9 @@ std::vector<std::string> history_columns(const HistoryNames& names) {
   std::vector<std::string> columns = {
       "step",     "load",         "time",         "newton_iterations", "linear_iterations",
       "residual", "wall_seconds", "strain_energy"};
+  if (names.has_inertia)
+    columns.insert(columns.end(), {"kinetic_energy", "external_work", "damping_work",
+                                   "external_power", "damping_power"});
   for (const std::string& name : names.conditions) {
     for (const char* component : {"x", "y", "z"})
       columns.push_back(name + ".reaction_" + component);
@@ -65,6 +75,7 @@ std::vector<double> history_values(const HistoryRow& row) {
 
 HistoryRow history_row(const std::vector<double>& values, const HistoryNames& names) {
   HistoryRow row;
+  if (names.has_inertia) row.motion.emplace();
   row.reactions.resize(names.conditions.size());
   row.torques.resize(names.turning.size());
   row.materials.resize(names.materials.size());

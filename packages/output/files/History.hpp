@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ struct HistoryRow {
   double residual = 0;                           ///< ||residual|| / largest ||reaction|| so far [-]
   double wall_seconds = 0;                       ///< since the run began [s]
   double strain_energy = 0;                      ///< of the whole body [aJ]
+  /// Of a body with inertia.
+  struct Motion {
+    double kinetic_energy = 0;  ///< [aJ]
+    double external_work = 0;   ///< of supports and loads on the body, since the begin [aJ]
+    double damping_work = 0;    ///< what damping has taken since then [aJ]
+    double external_power = 0, damping_power = 0;  ///< of both at this step [aJ/s]
+  };
+  std::optional<Motion> motion;
   std::vector<std::array<double, 3>> reactions;  ///< (boundary condition) force on the body [pN]
   std::vector<double> torques;  ///< (condition that turns) on the body, about its axis [aJ]
   std::vector<MaterialSummary> materials;  ///< (material)
@@ -42,9 +51,10 @@ struct HistoryNames {
   std::vector<std::string> conditions;
   std::vector<std::string> turning;  ///< those of the conditions whose faces turn
   std::vector<std::string> materials;
+  bool has_inertia = false;
 };
 
-/// Names and order of the columns, as in docs: step, load, time, ..., then NAME.reaction_x/y/z of each
+/// Names and order of the columns, as in docs: step, load, time, ..., those of a body with inertia, then NAME.reaction_x/y/z of each
 /// boundary condition, NAME.torque of each that turns, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material.
 std::vector<std::string> history_columns(const HistoryNames& names);
 

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stroma/mechanics/terms/Inertia.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/grid/ToDevice.hpp"
+#include "stroma/particles/Fields.hpp"
+#include "stroma/particles/UndeformedPositions.hpp"
+
+namespace stroma::mechanics {
+namespace {
+
+using grid::ConstNodeView;
+using grid::NodeView;
+
+constexpr double force_of_mass = 1e-12;  // [pN] of 1 kg/m^3 um^3 um/s^2
+
+/// Calls use(n, c) for each number of an array of vectors.
+template <class Use>
+void for_each_number(const char* name, std::size_t count, const Use& use) {
+  Kokkos::parallel_for(
+      name, Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(count)),
+      KOKKOS_LAMBDA(const int n) {
+        for (int c = 0; c < 3; ++c) use(n, c);
+      });
+}
+
+/// Acceleration, and alpha_R times velocity, with which nodes or particles enter the balance.
+struct Balanced {
+  TimeScheme scheme;
+  double dt, mass_damping;
+
+  /// \param d  displacement over the way to the balance
+  KOKKOS_INLINE_FUNCTION double operator()(double d, double v, double a) const {
+    if (dt == 0.0) return a + mass_damping * v;
+    const double a_1 = scheme.acceleration(dt, d / (1.0 - scheme.alpha_f), v, a);
+    const double v_1 = scheme.velocity(dt, v, a, a_1);
+    return (1.0 - scheme.alpha_m) * a_1 + scheme.alpha_m * a +
+           mass_damping * ((1.0 - scheme.alpha_f) * v_1 + scheme.alpha_f * v);
+  }
+};
+
+/// The motion at the end of a step from that at its begin.
+struct Ended {
+  TimeScheme scheme;
+  double dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(double d, double& v, double& a) const {
+    const double a_1 = scheme.acceleration(dt, d, v, a);
+    v = scheme.velocity(dt, v, a, a_1);
+    a = a_1;
+  }
+};
+
+}  // namespace
+
+Inertia::Inertia(const Body& body, double load)
+    : body_(body),
+      mass_(body.halo().owned_map()),
+      load_(load),
+      from_(body.halo().owned_map()),
+      velocity_(body.halo().owned_map()),
+      acceleration_(body.halo().owned_map()),
+      prescribed_(body.halo().owned_map()) {
+  const std::vector<double>& density = body.problem().density;
+  if (density.size() != body.problem().laws.size())
+    throw base::InputError(
+        "inertia asks for the density of every material; admissible: Problem::density");
+  std::vector<double> scaled = density;
+  for (double& rho : scaled) rho *= force_of_mass;
+  density_ = grid::to_device("mass density", scaled);
+  begins_ = body.begins_motion();
+  weigh();
+  if (begins_) begin_particles();
+  if (body.particles_carry_motion() && !(begins_ && is_lumped())) find_nodal_motion();
+}
+
+/// Masses of the nodes.
+void Inertia::weigh() {
+  const auto points = body_.points(from_);
+  const std::size_t nodes = points.displacement.extent(0);
+  mass_here_ = NodeView("mass", nodes);
+  const NodeView nothing("nothing", nodes), field("nothing", body_.particles().volume.extent(0));
+  body_.kernels().project_to_nodes(points, field, density_, mass_here_, nothing);
+  const NodeView sum = body_.halo().contributions();
+  const NodeView here = mass_here_;
+  for_each_number("mass", nodes, KOKKOS_LAMBDA(const int n, const int c) { sum(n, c) = here(n, 0); });
+  body_.halo().sum_to_owner(mass_);
+  largest_mass_ = mass_.normInf();
+}
+
+/// The velocities of a body that begins, at nodes and at particles that carry theirs.
+void Inertia::begin_particles() {
+  const auto& initial = dynamics().initial_velocity;
+  if (!initial) return;
+  const auto& halo = body_.halo();
+  const grid::Partition& partition = halo.partition();
+  const grid::Box owned = partition.owned_nodes(halo.communicator().rank());
+  {
+    const auto v = velocity_.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    grid::for_each_index(owned, [&](const grid::Index3& node) {
+      const auto at = initial(partition.grid().node_position(node));
+      for (int c = 0; c < 3; ++c)
+        v(static_cast<std::size_t>(3 * owned.local(node) + c), 0) = at[static_cast<std::size_t>(c)];
+    });
+  }
+  if (!body_.particles_carry_motion()) return;
+  const auto X = particles::undeformed_positions(body_.particles());
+  const auto v = Kokkos::create_mirror_view(body_.particles().velocity);
+  for (int p = 0; p < body_.particles().count(); ++p) {
+    const auto at = initial(X[static_cast<std::size_t>(p)]);
+    for (int c = 0; c < 3; ++c) v(p, c) = at[static_cast<std::size_t>(c)];
+  }
+  Kokkos::deep_copy(body_.particles().velocity, v);
+}
+
+/// The motion of the nodes as the mass-weighted mean of that of the particles.
+void Inertia::find_nodal_motion() {
+  gather_to_nodes(body_.particles().velocity, velocity_);
+  divide_by_mass(velocity_);
+  gather_to_nodes(body_.particles().acceleration, acceleration_);
+  divide_by_mass(acceleration_);
+}
+
+/// sum_p m_p N_I w_p of a vector w of the particles.
+void Inertia::gather_to_nodes(const NodeView& field, grid::Vector& sum) const {
+  const NodeView masses("masses", mass_here_.extent(0));
+  body_.kernels().project_to_nodes(body_.points(from_), field, density_, masses,
+                                   body_.halo().contributions());
+  body_.halo().sum_to_owner(sum);
+}
+
+void Inertia::divide_by_mass(grid::Vector& v) const {
+  const auto m = grid::node_view(mass_);
+  const auto value = grid::node_view(v);
+  for_each_number("divide by mass", value.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+    value(n, c) = m(n, 0) > 0.0 ? value(n, c) / m(n, 0) : 0.0;
+  });
+}
+
+/// Adds to a vector of the particles what nodal values carry.
+void Inertia::carry(const grid::Vector& nodal, const NodeView& field) const {
+  body_.kernels().add_at_particles(body_.points(nodal), field);
+}
+
+grid::NodeView Inertia::carried_by(const grid::Vector& nodal) const {
+  const NodeView field("carried", body_.particles().volume.extent(0));
+  carry(nodal, field);
+  return field;
+}
+
+void Inertia::go_from(const grid::Vector& u) {
+  from_.assign(u);
+  if (!is_lumped()) carried_from_ = carried_by(from_);
+}
+
+void Inertia::follow(const Supports& supports) {
+  supports_ = &supports;
+  grid::Vector rate(velocity_.getMap());
+  supports.rate(load_, rate);
+  supports.clear(velocity_);
+  velocity_.update(1.0 / body_.problem().duration, rate, 1.0);
+}
+
+void Inertia::begin(const grid::Vector& unbalanced) {
+  acceleration_.update(-1.0, unbalanced, 0.0);
+  supports_->clear(acceleration_);
+  divide_by_mass(acceleration_);
+  if (!body_.particles_carry_motion()) return;
+  Kokkos::deep_copy(body_.particles().acceleration, 0.0);
+  carry(acceleration_, body_.particles().acceleration);
+}
+
+void Inertia::resume(double load, const grid::Vector& u, const grid::Vector& velocity,
+                     const grid::Vector& acceleration) {
+  begins_ = false;
+  load_ = load;
+  step_ = 0.0;
+  go_from(u);
+  velocity_.assign(velocity);
+  acceleration_.assign(acceleration);
+}
+
+double Inertia::balance_load(double end) const {
+  return end - dynamics().scheme.alpha_f * (end - load_);
+}
+
+void Inertia::set_load(double load) {
+  const double share = (load - load_) / (1.0 - dynamics().scheme.alpha_f);
+  step_ = std::max(share * body_.problem().duration, 0.0);
+  if (step_ == 0.0 || supports_ == nullptr) return;
+  // Of prescribed components, the mean acceleration over the step.
+  const double per_step = 1.0 / step_;
+  supports_->rate(load_ + share, prescribed_);
+  prescribed_.scale(per_step / body_.problem().duration);
+  grid::Vector free(velocity_, Teuchos::Copy);
+  supports_->clear(free);
+  prescribed_.update(-per_step, velocity_, per_step, free, 1.0);
+}
+
+grid::Vector Inertia::predicted(double balance_load) const {
+  const double dt = (balance_load - load_) * body_.problem().duration;
+  grid::Vector u(from_, Teuchos::Copy);
+  u.update(dt, velocity_, 0.5 * dt * dt, acceleration_, 1.0);
+  return u;
+}
+
+void Inertia::go_to_end(grid::Vector& u) const {
+  const double factor = 1.0 / (1.0 - dynamics().scheme.alpha_f);
+  if (factor != 1.0) u.update(1.0 - factor, from_, factor);
+}
+
+void Inertia::arrive(double load, const grid::Vector& u) {
+  const double dt = (load - load_) * body_.problem().duration;
+  const Ended ended{dynamics().scheme, dt};
+  grid::Vector change(u, Teuchos::Copy);
+  change.update(-1.0, from_, 1.0);
+  const grid::Vector before(velocity_, Teuchos::Copy);
+  const auto of = [&](const auto& d, const auto& v, const auto& a) {
+    for_each_number("end of step", v.extent(0),
+                    KOKKOS_LAMBDA(const int n, const int c) { ended(d(n, c), v(n, c), a(n, c)); });
+  };
+  const auto& particles = body_.particles();
+  if (is_lumped()) {
+    const auto d = grid::node_view(static_cast<const grid::Vector&>(change));
+    of(d, grid::node_view(velocity_), grid::node_view(acceleration_));
+  } else {
+    of(carried_by(change), particles.velocity, particles.acceleration);
+    find_nodal_motion();
+  }
+  supports_->clear(acceleration_);
+  acceleration_.update(1.0, prescribed_, 1.0);
+  load_ = load;
+  step_ = 0.0;
+  go_from(u);
+  follow(*supports_);
+  if (is_lumped() && body_.particles_carry_motion()) {
+    grid::Vector gained(velocity_, Teuchos::Copy);
+    gained.update(-1.0, before, 1.0);
+    carry(gained, particles.velocity);
+    Kokkos::deep_copy(particles.acceleration, 0.0);
+    carry(acceleration_, particles.acceleration);
+  }
+}
+
+TermForce Inertia::force(const TrialState& state, grid::Vector& force) const {
+  const base::Stage stage("inertia");
+  is_lumped() ? nodal_force(state, force) : particle_force(state, force);
+  TermForce all;
+  all.size = force.norm2();
+  all.rounding = 16.0 * std::numeric_limits<double>::epsilon() * mass_factor() * largest_mass_ *
+                 state.u.norm2();
+  if (dynamics().stiffness_damping > 0.0) add_stiffness_damping(state, force);
+  return all;
+}
+
+void Inertia::nodal_force(const TrialState& state, grid::Vector& force) const {
+  const Balanced balanced{dynamics().scheme, step_, dynamics().mass_damping};
+  const auto f = grid::node_view(force);
+  const auto u = grid::node_view(state.u), from = grid::node_view(from_);
+  const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
+  const auto m = grid::node_view(mass_);
+  for_each_number("inertia of nodes", f.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+    f(n, c) = m(n, c) * balanced(u(n, c) - from(n, c), v(n, c), a(n, c));
+  });
+  if (step_ == 0.0) return;
+  supports_->clear(force);
+  force.elementWiseMultiply(1.0, mass_, prescribed_, 1.0);
+}
+
+void Inertia::particle_force(const TrialState& state, grid::Vector& force) const {
+  const Balanced balanced{dynamics().scheme, step_, dynamics().mass_damping};
+  const auto& particles = body_.particles();
+  const auto v = particles.velocity, a = particles.acceleration;
+  const NodeView carried("carried", v.extent(0));
+  body_.kernels().add_at_particles(state.points, carried);
+  const NodeView from = carried_from_;
+  const bool has_from = from.extent(0) == v.extent(0);
+  for_each_number("inertia of particles", v.extent(0), KOKKOS_LAMBDA(const int p, const int c) {
+    const double d = carried(p, c) - (has_from ? from(p, c) : 0.0);
+    carried(p, c) = balanced(d, v(p, c), a(p, c));
+  });
+  const NodeView masses("masses", mass_here_.extent(0));
+  body_.kernels().project_to_nodes(state.points, carried, density_, masses,
+                                   body_.halo().contributions());
+  body_.halo().sum_to_owner(force);
+}
+
+/// beta_R K(u) v with the nodes' velocity at the balance.
+void Inertia::add_stiffness_damping(const TrialState& state, grid::Vector& force) const {
+  const TimeScheme& scheme = dynamics().scheme;
+  const double dt = step_, alpha = scheme.alpha_f;
+  grid::Vector velocity(velocity_, Teuchos::Copy);
+  if (dt > 0.0) {
+    const auto u = grid::node_view(state.u), from = grid::node_view(from_);
+    const auto v = grid::node_view(velocity);
+    const auto a = grid::node_view(acceleration_);
+    for_each_number("velocity", v.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+      const double d = (u(n, c) - from(n, c)) / (1.0 - alpha);
+      const double a_1 = scheme.acceleration(dt, d, v(n, c), a(n, c));
+      v(n, c) = (1.0 - alpha) * scheme.velocity(dt, v(n, c), a(n, c), a_1) + alpha * v(n, c);
+    });
+    grid::Vector free(velocity, Teuchos::Copy), rate(velocity_.getMap());
+    supports_->clear(free);
+    supports_->rate(load_ + (1.0 - alpha) * dt / body_.problem().duration, rate);
+    velocity.update(1.0, free, 1.0 / body_.problem().duration, rate, 0.0);
+  }
+  // The halo gathers one vector at a time: the terms after this one want u again.
+  auto points = state.points;
+  const NodeView displacement("u", points.displacement.extent(0));
+  Kokkos::deep_copy(displacement, points.displacement);
+  points.displacement = displacement;
+  grid::Vector product(force.getMap());
+  body_.stress()->tangent_times(points, body_.halo().gather(velocity), body_.halo().contributions());
+  body_.halo().sum_to_owner(product);
+  force.update(dynamics().stiffness_damping, product, 1.0);
+  body_.halo().gather(state.u);
+}
+
+/// What the balance's force of mass grows by with its displacement, over the mass [1/s^2].
+double Inertia::mass_factor() const {
+  if (step_ == 0.0) return 0.0;
+  const TimeScheme& scheme = dynamics().scheme;
+  return scheme.acceleration_rate(step_) + dynamics().mass_damping * scheme.velocity_rate(step_);
+}
+
+/// Stands right behind the tangent of stress, which stiffness damping scales.
+template <class Rows>
+void Inertia::add_to_tangent(const TrialState& state, const Rows& rows) const {
+  if (step_ == 0.0) return;
+  const double damping = dynamics().stiffness_damping;
+  if (damping > 0.0)
+    rows.scale(
+        static_cast<typename Rows::Real>(1.0 + damping * dynamics().scheme.velocity_rate(step_)));
+  const double factor = mass_factor();
+  if (is_lumped()) {
+    const NodeView here = mass_here_;
+    for_each_number("tangent of mass", here.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+      if (here(n, 0) > 0.0) rows.add_to_diagonal(n, c, factor * here(n, 0));
+    });
+    return;
+  }
+  std::vector<double> scaled = body_.problem().density;
+  for (double& rho : scaled) rho *= factor * force_of_mass;
+  body_.kernels().mass_tangent(state.points, grid::to_device("scaled density", scaled), rows);
+}
+
+std::int64_t Inertia::add_tangent(const TrialState& state,
+                                  const transfer::BlockRows<Device>& rows) const {
+  add_to_tangent(state, rows);
+  return 0;
+}
+
+std::int64_t Inertia::add_tangent(const TrialState& state,
+                                  const transfer::StencilRows<Device>& rows) const {
+  add_to_tangent(state, rows);
+  return 0;
+}
+
+void Inertia::add_tangent_times(const TrialState& state, const ConstNodeView& direction,
+                                const NodeView& product) const {
+  if (step_ == 0.0) return;
+  const double factor = mass_factor();
+  if (is_lumped()) {
+    const NodeView here = mass_here_;
+    for_each_number("mass times", here.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+      product(n, c) += factor * here(n, 0) * direction(n, c);
+    });
+  } else {
+    auto points = state.points;
+    points.displacement = direction;
+    const NodeView carried("carried", body_.particles().volume.extent(0));
+    const NodeView masses("masses", mass_here_.extent(0));
+    body_.kernels().add_at_particles(points, carried);
+    for_each_number("scale", carried.extent(0),
+                    KOKKOS_LAMBDA(const int p, const int c) { carried(p, c) *= factor; });
+    body_.kernels().project_to_nodes(points, carried, density_, masses, product);
+  }
+  const double damping = dynamics().stiffness_damping;
+  if (damping == 0.0) return;
+  const double share = damping * dynamics().scheme.velocity_rate(step_);
+  const NodeView scaled("scaled", direction.extent(0));
+  for_each_number("scale", scaled.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+    scaled(n, c) = share * direction(n, c);
+  });
+  body_.stress()->tangent_times(state.points, scaled, product);
+}
+
+grid::ConstNodeView Inertia::particle_velocity() const {
+  if (body_.particles_carry_motion()) return body_.particles().velocity;
+  return carried_by(velocity_);
+}
+
+double Inertia::kinetic_energy() const {
+  if (is_lumped()) {
+    grid::Vector momentum(velocity_.getMap());
+    momentum.elementWiseMultiply(1.0, mass_, velocity_, 0.0);
+    return 0.5 * momentum.dot(velocity_);
+  }
+  const auto particles = particles::on_host(body_.particles());
+  const auto& density = body_.problem().density;
+  double sum = 0.0;
+  for (int p = 0; p < particles.count(); ++p) {
+    double square = 0.0;
+    for (int c = 0; c < 3; ++c) square += particles.velocity(p, c) * particles.velocity(p, c);
+    sum += density[particles.material(p)] * particles.volume(p) * square;
+  }
+  return 0.5 * force_of_mass * body_.communicator().sum(sum);
+}
+
+double Inertia::damping_power(const TrialState& state) const {
+  double power = 2.0 * dynamics().mass_damping * kinetic_energy();
+  if (dynamics().stiffness_damping > 0.0) {
+    grid::Vector force(velocity_.getMap());
+    add_stiffness_damping(state, force);
+    power += force.dot(velocity_);
+  }
+  return power;
+}
+
+}  // namespace stroma::mechanics
