@@ -91,8 +91,8 @@ class MovingBody {
     previous_.reset();
     is_predictable_ = false;
   }
-  /// Whether inertia has carried the body through the step before.
-  bool is_predictable() const { return is_predictable_; }
+  /// Whether the motion of a body with inertia tells where it is at the next step.
+  bool is_predictable() const { return is_predictable_ && !balance_->inertia()->has_idle_nodes(); }
 
  private:
   void reset_grid();

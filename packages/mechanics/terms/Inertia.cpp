@@ -88,9 +88,20 @@ void Inertia::weigh() {
   body_.kernels().project_to_nodes(points, field, density_, mass_here_, nothing);
   const NodeView sum = body_.halo().contributions();
   const NodeView here = mass_here_;
-  for_each_number("mass", nodes, KOKKOS_LAMBDA(const int n, const int c) { sum(n, c) = here(n, 0); });
+  for_each_number(
+      "mass", nodes, KOKKOS_LAMBDA(const int n, const int c) { sum(n, c) = here(n, 0); });
   body_.halo().sum_to_owner(mass_);
   largest_mass_ = mass_.normInf();
+  const auto m = grid::node_view(mass_);
+  int negative = 0;
+  Kokkos::parallel_reduce(
+      "negative masses",
+      Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(m.extent(0))),
+      KOKKOS_LAMBDA(const int n, int& count) { count += m(n, 0) < 0.0 ? 1 : 0; }, negative);
+  if (is_lumped() && body_.communicator().any(negative > 0))
+    throw base::InputError(
+        "the body's outermost particles give nodes negative masses; admissible: the consistent "
+        "mass, or another grid");
 }
 
 /// The velocities of a body that begins, at nodes and at particles that carry theirs.
@@ -137,9 +148,10 @@ void Inertia::gather_to_nodes(const NodeView& field, grid::Vector& sum) const {
 void Inertia::divide_by_mass(grid::Vector& v) const {
   const auto m = grid::node_view(mass_);
   const auto value = grid::node_view(v);
-  for_each_number("divide by mass", value.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-    value(n, c) = m(n, 0) > 0.0 ? value(n, c) / m(n, 0) : 0.0;
-  });
+  for_each_number(
+      "divide by mass", value.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+        value(n, c) = m(n, 0) > 0.0 ? value(n, c) / m(n, 0) : 0.0;
+      });
 }
 
 /// Adds to a vector of the particles what nodal values carry.
@@ -159,11 +171,33 @@ void Inertia::go_from(const grid::Vector& u) {
 }
 
 void Inertia::follow(const Supports& supports) {
+  if (supports_ == nullptr) {
+    grid::Vector idle(velocity_.getMap());
+    const auto one = grid::node_view(idle), m = grid::node_view(mass_);
+    for_each_number(
+        "idle", one.extent(0),
+        KOKKOS_LAMBDA(const int n, const int c) { one(n, c) = m(n, c) == 0.0 ? 1.0 : 0.0; });
+    supports.clear(idle);
+    has_idle_nodes_ = idle.normInf() > 0.0;
+  }
   supports_ = &supports;
   grid::Vector rate(velocity_.getMap());
   supports.rate(load_, rate);
   supports.clear(velocity_);
   velocity_.update(1.0 / body_.problem().duration, rate, 1.0);
+}
+
+/// Nodes without a mass have no memory: their velocity is the mean over the step.
+void Inertia::carry_idle_nodes(double dt, const grid::Vector& change) {
+  const auto m = grid::node_view(static_cast<const grid::Vector&>(mass_)),
+             d = grid::node_view(change);
+  const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
+  for_each_number(
+      "idle nodes", v.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+        if (m(n, c) != 0.0) return;
+        v(n, c) = d(n, c) / dt;
+        a(n, c) = 0.0;
+      });
 }
 
 void Inertia::begin(const grid::Vector& unbalanced) {
@@ -221,17 +255,15 @@ void Inertia::arrive(double load, const grid::Vector& u) {
   change.update(-1.0, from_, 1.0);
   const grid::Vector before(velocity_, Teuchos::Copy);
   const auto of = [&](const auto& d, const auto& v, const auto& a) {
-    for_each_number("end of step", v.extent(0),
-                    KOKKOS_LAMBDA(const int n, const int c) { ended(d(n, c), v(n, c), a(n, c)); });
+    for_each_number(
+        "end of step", v.extent(0),
+        KOKKOS_LAMBDA(const int n, const int c) { ended(d(n, c), v(n, c), a(n, c)); });
   };
   const auto& particles = body_.particles();
-  if (is_lumped()) {
-    const auto d = grid::node_view(static_cast<const grid::Vector&>(change));
-    of(d, grid::node_view(velocity_), grid::node_view(acceleration_));
-  } else {
-    of(carried_by(change), particles.velocity, particles.acceleration);
-    find_nodal_motion();
-  }
+  if (!is_lumped()) of(carried_by(change), particles.velocity, particles.acceleration);
+  of(grid::node_view(static_cast<const grid::Vector&>(change)), grid::node_view(velocity_),
+     grid::node_view(acceleration_));
+  if (has_idle_nodes_) carry_idle_nodes(dt, change);
   supports_->clear(acceleration_);
   acceleration_.update(1.0, prescribed_, 1.0);
   load_ = load;
@@ -264,9 +296,10 @@ void Inertia::nodal_force(const TrialState& state, grid::Vector& force) const {
   const auto u = grid::node_view(state.u), from = grid::node_view(from_);
   const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
   const auto m = grid::node_view(mass_);
-  for_each_number("inertia of nodes", f.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-    f(n, c) = m(n, c) * balanced(u(n, c) - from(n, c), v(n, c), a(n, c));
-  });
+  for_each_number(
+      "inertia of nodes", f.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+        f(n, c) = m(n, c) * balanced(u(n, c) - from(n, c), v(n, c), a(n, c));
+      });
   if (step_ == 0.0) return;
   supports_->clear(force);
   force.elementWiseMultiply(1.0, mass_, prescribed_, 1.0);
@@ -280,10 +313,11 @@ void Inertia::particle_force(const TrialState& state, grid::Vector& force) const
   body_.kernels().add_at_particles(state.points, carried);
   const NodeView from = carried_from_;
   const bool has_from = from.extent(0) == v.extent(0);
-  for_each_number("inertia of particles", v.extent(0), KOKKOS_LAMBDA(const int p, const int c) {
-    const double d = carried(p, c) - (has_from ? from(p, c) : 0.0);
-    carried(p, c) = balanced(d, v(p, c), a(p, c));
-  });
+  for_each_number(
+      "inertia of particles", v.extent(0), KOKKOS_LAMBDA(const int p, const int c) {
+        const double d = carried(p, c) - (has_from ? from(p, c) : 0.0);
+        carried(p, c) = balanced(d, v(p, c), a(p, c));
+      });
   const NodeView masses("masses", mass_here_.extent(0));
   body_.kernels().project_to_nodes(state.points, carried, density_, masses,
                                    body_.halo().contributions());
@@ -299,11 +333,12 @@ void Inertia::add_stiffness_damping(const TrialState& state, grid::Vector& force
     const auto u = grid::node_view(state.u), from = grid::node_view(from_);
     const auto v = grid::node_view(velocity);
     const auto a = grid::node_view(acceleration_);
-    for_each_number("velocity", v.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-      const double d = (u(n, c) - from(n, c)) / (1.0 - alpha);
-      const double a_1 = scheme.acceleration(dt, d, v(n, c), a(n, c));
-      v(n, c) = (1.0 - alpha) * scheme.velocity(dt, v(n, c), a(n, c), a_1) + alpha * v(n, c);
-    });
+    for_each_number(
+        "velocity", v.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+          const double d = (u(n, c) - from(n, c)) / (1.0 - alpha);
+          const double a_1 = scheme.acceleration(dt, d, v(n, c), a(n, c));
+          v(n, c) = (1.0 - alpha) * scheme.velocity(dt, v(n, c), a(n, c), a_1) + alpha * v(n, c);
+        });
     grid::Vector free(velocity, Teuchos::Copy), rate(velocity_.getMap());
     supports_->clear(free);
     supports_->rate(load_ + (1.0 - alpha) * dt / body_.problem().duration, rate);
@@ -315,7 +350,8 @@ void Inertia::add_stiffness_damping(const TrialState& state, grid::Vector& force
   Kokkos::deep_copy(displacement, points.displacement);
   points.displacement = displacement;
   grid::Vector product(force.getMap());
-  body_.stress()->tangent_times(points, body_.halo().gather(velocity), body_.halo().contributions());
+  body_.stress()->tangent_times(points, body_.halo().gather(velocity),
+                                body_.halo().contributions());
   body_.halo().sum_to_owner(product);
   force.update(dynamics().stiffness_damping, product, 1.0);
   body_.halo().gather(state.u);
@@ -339,9 +375,10 @@ void Inertia::add_to_tangent(const TrialState& state, const Rows& rows) const {
   const double factor = mass_factor();
   if (is_lumped()) {
     const NodeView here = mass_here_;
-    for_each_number("tangent of mass", here.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-      if (here(n, 0) > 0.0) rows.add_to_diagonal(n, c, factor * here(n, 0));
-    });
+    for_each_number(
+        "tangent of mass", here.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+          if (here(n, 0) > 0.0) rows.add_to_diagonal(n, c, factor * here(n, 0));
+        });
     return;
   }
   std::vector<double> scaled = body_.problem().density;
@@ -367,26 +404,28 @@ void Inertia::add_tangent_times(const TrialState& state, const ConstNodeView& di
   const double factor = mass_factor();
   if (is_lumped()) {
     const NodeView here = mass_here_;
-    for_each_number("mass times", here.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-      product(n, c) += factor * here(n, 0) * direction(n, c);
-    });
+    for_each_number(
+        "mass times", here.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+          product(n, c) += factor * here(n, 0) * direction(n, c);
+        });
   } else {
     auto points = state.points;
     points.displacement = direction;
     const NodeView carried("carried", body_.particles().volume.extent(0));
     const NodeView masses("masses", mass_here_.extent(0));
     body_.kernels().add_at_particles(points, carried);
-    for_each_number("scale", carried.extent(0),
-                    KOKKOS_LAMBDA(const int p, const int c) { carried(p, c) *= factor; });
+    for_each_number(
+        "scale", carried.extent(0),
+        KOKKOS_LAMBDA(const int p, const int c) { carried(p, c) *= factor; });
     body_.kernels().project_to_nodes(points, carried, density_, masses, product);
   }
   const double damping = dynamics().stiffness_damping;
   if (damping == 0.0) return;
   const double share = damping * dynamics().scheme.velocity_rate(step_);
   const NodeView scaled("scaled", direction.extent(0));
-  for_each_number("scale", scaled.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-    scaled(n, c) = share * direction(n, c);
-  });
+  for_each_number(
+      "scale", scaled.extent(0),
+      KOKKOS_LAMBDA(const int n, const int c) { scaled(n, c) = share * direction(n, c); });
   body_.stress()->tangent_times(state.points, scaled, product);
 }
 

@@ -44,6 +44,9 @@ class Inertia : public Term {
 
   /// The load at which a step that ends at another one is in balance.
   double balance_load(double end) const;
+  /// Whether there are nodes without a mass that are not prescribed: of fictitious points alone,
+  /// they move as their neighbours let them.
+  bool has_idle_nodes() const { return has_idle_nodes_; }
   /// Where the balance is if accelerations stay what they are [um].
   grid::Vector predicted(double balance_load) const;
   /// The displacement at the end of a step, from that of the balance, but for prescribed components.
@@ -79,6 +82,7 @@ class Inertia : public Term {
   void weigh();
   void begin_particles();
   void find_nodal_motion();
+  void carry_idle_nodes(double dt, const grid::Vector& change);
   void go_from(const grid::Vector& u);
   NodeView carried_by(const grid::Vector& nodal) const;
   void carry(const grid::Vector& nodal, const NodeView& field) const;
@@ -94,14 +98,14 @@ class Inertia : public Term {
   const Body& body_;
   const Supports* supports_ = nullptr;
   Kokkos::View<const double*, Device> density_;  // (material) [pN s^2/um^4]
-  NodeView mass_here_;                     // (touched node, 0) of this rank's particles
-  grid::Vector mass_;                      // of owned nodes, in each component [pN s^2/um]
+  NodeView mass_here_;                           // (touched node, 0) of this rank's particles
+  grid::Vector mass_;                            // of owned nodes, in each component [pN s^2/um]
   double largest_mass_ = 0.0;
-  bool begins_ = true;
+  bool begins_ = true, has_idle_nodes_ = false;
 
-  double load_;         // of the last accepted state
-  double step_ = 0.0;   // dt of the step that is tried [s]; 0: none is
-  grid::Vector from_;   // displacement of the last accepted state [um]
+  double load_;            // of the last accepted state
+  double step_ = 0.0;      // dt of the step that is tried [s]; 0: none is
+  grid::Vector from_;      // displacement of the last accepted state [um]
   NodeView carried_from_;  // the same at the particles, of the consistent mass
   grid::Vector velocity_, acceleration_;
   grid::Vector prescribed_;  // accelerations of prescribed components over the step [um/s^2]
