@@ -224,16 +224,19 @@ double Inertia::balance_load(double end) const {
 }
 
 void Inertia::set_load(double load) {
-  const double share = (load - load_) / (1.0 - dynamics().scheme.alpha_f);
-  step_ = std::max(share * body_.problem().duration, 0.0);
-  if (step_ == 0.0 || supports_ == nullptr) return;
-  // Of prescribed components, the mean acceleration over the step.
-  const double per_step = 1.0 / step_;
-  supports_->rate(load_ + share, prescribed_);
-  prescribed_.scale(per_step / body_.problem().duration);
-  grid::Vector free(velocity_, Teuchos::Copy);
-  supports_->clear(free);
-  prescribed_.update(-per_step, velocity_, per_step, free, 1.0);
+  const double way = (load - load_) / (1.0 - dynamics().scheme.alpha_f);
+  step_ = std::max(way * body_.problem().duration, 0.0);
+  if (step_ > 0.0 && supports_ != nullptr) prescribe(load_ + way);
+}
+
+/// The accelerations of prescribed components at the end of a step, from within it: load curves may
+/// have a corner there.
+void Inertia::prescribe(double end) {
+  const double bit = 1e-3 * (end - load_), time = body_.problem().duration;
+  grid::Vector earlier(prescribed_.getMap());
+  supports_->rate(end - bit, prescribed_);
+  supports_->rate(end - 2.0 * bit, earlier);
+  prescribed_.update(-1.0 / (bit * time * time), earlier, 1.0 / (bit * time * time));
 }
 
 grid::Vector Inertia::predicted(double balance_load) const {
@@ -264,6 +267,7 @@ void Inertia::arrive(double load, const grid::Vector& u) {
   of(grid::node_view(static_cast<const grid::Vector&>(change)), grid::node_view(velocity_),
      grid::node_view(acceleration_));
   if (has_idle_nodes_) carry_idle_nodes(dt, change);
+  prescribe(load);
   supports_->clear(acceleration_);
   acceleration_.update(1.0, prescribed_, 1.0);
   load_ = load;

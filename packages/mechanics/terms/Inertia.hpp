@@ -82,6 +82,7 @@ class Inertia : public Term {
   void weigh();
   void begin_particles();
   void find_nodal_motion();
+  void prescribe(double end);
   void carry_idle_nodes(double dt, const grid::Vector& change);
   void go_from(const grid::Vector& u);
   NodeView carried_by(const grid::Vector& nodal) const;
@@ -108,7 +109,7 @@ class Inertia : public Term {
   grid::Vector from_;      // displacement of the last accepted state [um]
   NodeView carried_from_;  // the same at the particles, of the consistent mass
   grid::Vector velocity_, acceleration_;
-  grid::Vector prescribed_;  // accelerations of prescribed components over the step [um/s^2]
+  grid::Vector prescribed_;  // accelerations of prescribed components at the end of the step [um/s^2]
 };
 
 }  // namespace stroma::mechanics

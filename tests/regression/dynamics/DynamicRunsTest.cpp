@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// Runs of bodies with inertia, by the program: on any number of ranks, in parts, and their
+/// balance of energy. Claims V-DYN-RUNS and V-DYN-WORK, docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include "regression/restart/LongDeck.hpp"
+#include "support/ExodusReader.hpp"
+
+namespace stroma::test {
+namespace {
+
+/// A gel with a vessel that is jerked by its top, in steps of 10 us.
+///
+/// \param grid     what the section Grid holds beside the size of elements
+/// \param loading  what the section Loading holds beside Inertia and times
+/// \param steps    of the eight that the jerk takes
+/// \param finer    how many steps each of them is made of
+std::string jerked(const std::string& grid, const std::string& loading, int steps, int finer = 1) {
+  std::string times;
+  for (int t = 1; t <= steps * finer; ++t)
+    times += (t == 1 ? "" : ", ") + std::to_string(10.0 * t / finer) + "e-6";
+  return R"(Stroma:
+  Image:
+    Phantom:
+      Kind: Shapes
+      Size: [12, 12, 12]
+      Voxel Size [um]: [1, 1, 1]
+      Shapes:
+        vessel: {Kind: Cylinder, Label: 1, "Center [um]": [5, 6, 6], Axis: [0, 1, 0], "Length [um]": 12, "Radius [um]": 3}
+  Materials:
+    gel: {Label: 0, Model: Neo-Hookean, "Shear Modulus [Pa]": 520.8, Poisson Ratio: 0.4, "Density [kg/m^3]": 1000}
+    vessel: {Label: 1, Model: Neo-Hookean, "Shear Modulus [Pa]": 1041.6, Poisson Ratio: 0.4, "Density [kg/m^3]": 1100}
+  Grid: {"Element Size [um]": [2, 2, 2])" +
+         grid + R"(}
+  Load Curves:
+    jerk: {"Times [s]": [0, 40.0e-6, 80.0e-6], Values: [0, 1, 0], Interpolation: Smooth}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xyz, "Displacement [um]": [0, 0, 0]}
+    top: {Face: y+, Components: xyz, "Displacement [um]": [1.5, 0.5, 0], Load Curve: jerk}
+  Initial Conditions:
+    drift: {"Velocity Gradient [1/s]": [0, 0, 0, 0, 0, 0, 0, 3000, 0], "Center [um]": [0, 0, 0]}
+  Loading: {Inertia: true, "Times [s]": [)" +
+         times + "]" + loading + R"(}
+  Solver: {Newton Tolerance: 1.0e-12, Linear Tolerance: 1.0e-8}
+  Output: {Pictures: false, Report: false, Checkpoint Every: 1}
+)";
+}
+
+struct Variant {
+  std::string name, grid, loading;
+};
+
+class DynamicRuns : public ::testing::TestWithParam<Variant> {};
+
+// The same history on 1, 2 and 4 ranks, and in two parts of which the second has other ranks.
+TEST_P(DynamicRuns, DoNotDependOnRanksOrPauses) {
+  const TemporaryFolder folder;
+  const auto& [name, grid, loading] = GetParam();
+  const History whole = run_deck(folder, "whole", jerked(grid, loading, 8));
+  for (const int ranks : grid.empty() ? std::vector{2, 4} : std::vector{2}) {
+    const std::string out = "ranks" + std::to_string(ranks);
+    EXPECT_LT(difference(whole, run_deck(folder, out, jerked(grid, loading, 8), ranks)), 1e-10)
+        << ranks;
+  }
+  run_deck(folder, "part", jerked(grid, loading, 4));
+  folder.write("part.yaml", jerked(grid, loading, 8));
+  const Outcome outcome = run_stroma(folder.path(), "run part.yaml -o part --quiet --restart", 2);
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+  EXPECT_LT(difference(whole, History(folder / "part/history.csv")), 1e-10);
+  EXPECT_EQ(run_stroma(folder.path(), "verify part").status, 0);
+  const ExodusReader particles(folder / "part/particles.e.2.0");
+  EXPECT_GT(particles.steps(), 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DynamicRuns,
+    ::testing::Values(
+        Variant{"Newmark", "", ""},
+        Variant{"Consistent", "", ", Mass: Consistent, Scheme: Generalised Alpha"},
+        Variant{"Damped", "",
+                ", \"Mass Damping [1/s]\": 1000, \"Stiffness Damping [s]\": 1.0e-6"},
+        Variant{"Reset", ", Reset: true, Shape Functions: GIMP", ", Scheme: Generalised Alpha"},
+        Variant{"ResetOfSplines", ", Reset: true, Shape Functions: Quadratic B-Spline", ""}),
+    [](const auto& one) { return one.param.name; });
+
+/// How far strain and kinetic energy, work and loss are from balance, of the largest kinetic energy.
+double imbalance(const History& history) {
+  double worst = 0.0, size = 0.0;
+  for (std::size_t s = 0; s < history.rows(); ++s) {
+    const double gained = history["strain_energy"][s] + history["kinetic_energy"][s] -
+                          history["kinetic_energy"][0];
+    const double given = history["external_work"][s] - history["damping_work"][s];
+    worst = std::max(worst, std::abs(gained - given));
+    size = std::max(size, history["kinetic_energy"][s]);
+  }
+  return worst / size;
+}
+
+// What supports do, less what damping takes, is what the body has gained: to the second order of
+// the step.
+TEST(DynamicRunsOfABody, BalanceTheirEnergy) {
+  const TemporaryFolder folder;
+  for (const char* loading :
+       {"", ", Scheme: Generalised Alpha, Spectral Radius: 1.0",
+        ", \"Mass Damping [1/s]\": 2000, \"Stiffness Damping [s]\": 1.0e-6"}) {
+    SCOPED_TRACE(loading);
+    const double coarse = imbalance(run_deck(folder, "coarse", jerked("", loading, 8, 4))),
+                 fine = imbalance(run_deck(folder, "fine", jerked("", loading, 8, 8)));
+    EXPECT_LT(fine, 1.5e-2);
+    EXPECT_GT(coarse / fine, 3.0);
+    std::printf("  energy is in balance within %.2e, with half the step %.2e\n", coarse, fine);
+  }
+}
+
+}  // namespace
+}  // namespace stroma::test
