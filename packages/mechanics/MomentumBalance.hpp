@@ -168,7 +168,7 @@ class MomentumBalance {
 
   Body body_;
   double base_load_, load_;
-  double history_load_;  // at which histories were written last
+  double history_load_;         // at which histories were written last
   Inertia* inertia_ = nullptr;  // one of the terms
   Terms terms_;
   double stiffest_diagonal_;  // [pN/um]

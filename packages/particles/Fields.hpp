@@ -17,10 +17,10 @@ namespace stroma::particles {
 /// Which bodies' particles have a field.
 enum class Presence {
   always,
-  where_particles_move,          ///< across the grid, or with a displacement of their own (make_movable)
+  where_particles_move,  ///< across the grid, or with a displacement of their own (make_movable)
   where_particles_carry_motion,  ///< velocities, with inertia (begin_motion)
   where_materials_vary,          ///< from particle to particle
-  where_laws_remember    ///< what happened to the particle
+  where_laws_remember            ///< what happened to the particle
 };
 
 /// What a step does to it.

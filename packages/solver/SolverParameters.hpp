@@ -43,7 +43,7 @@ struct LoadingParameters {
   bool inertia = false;
   // Of a body with inertia:
   TimeIntegration scheme = TimeIntegration::newmark;
-  std::optional<double> spectral_radius = {};  ///< of generalised alpha; absent: 0.9
+  std::optional<double> spectral_radius = {};   ///< of generalised alpha; absent: 0.9
   std::optional<double> beta = {}, gamma = {};  ///< of Newmark's; absent: 1/4, 1/2
   MassMatrix mass = MassMatrix::lumped;
   double mass_damping = 0.0;       ///< [1/s]

@@ -23,9 +23,9 @@ struct ProjectToNodes {
 
   ElementParticles<Shape, Device> elements;
   Kokkos::View<const double* [3], Kokkos::LayoutRight, Device> field;  ///< u_p
-  Kokkos::View<const double*, Device> density;  ///< (material), any unit
-  NodeView mass;                                ///< (touched node, 0), added to
-  NodeView momentum;                            ///< (touched node, i) m u, added to
+  Kokkos::View<const double*, Device> density;                         ///< (material), any unit
+  NodeView mass;      ///< (touched node, 0), added to
+  NodeView momentum;  ///< (touched node, i) m u, added to
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     double m[Shape::nodes] = {}, mu[3][Shape::nodes] = {};
@@ -78,8 +78,7 @@ struct AddAtParticles {
     elements.gather(elements.displacement, i, j, k, v);
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
       for (int c = 0; c < 3; ++c)
-        for (int a = 0; a < Shape::nodes; ++a)
-          field(point.p, c) += point.value[a] * v[c][a];
+        for (int a = 0; a < Shape::nodes; ++a) field(point.p, c) += point.value[a] * v[c][a];
     });
   }
 };

@@ -169,7 +169,8 @@ void verify_balance(const base::Communicator& communicator, const Deck& deck,
                                    force > 0.0 ? balance.forces(u).rounding / force : 0.0});
   const auto& dynamics = balance.problem().dynamics;
   if (dynamics && dynamics->scheme.alpha_f > 0.0)
-    findings.tell("equilibrium", inverted == 0, "within the step, by Generalised Alpha, not at its end");
+    findings.tell("equilibrium", inverted == 0,
+                  "within the step, by Generalised Alpha, not at its end");
   else
     findings.tell(
         "equilibrium", inverted == 0 && relative <= allowed,

@@ -29,8 +29,8 @@ std::vector<output::MovingSupport> moving_supports(const DeckParameters& paramet
 
 output::HistoryNames history_names(const DeckParameters& parameters) {
   const auto& conditions = parameters.boundary_conditions.conditions;
-  output::HistoryNames all{names(conditions), {}, names(parameters.materials.materials),
-                           parameters.loading.inertia};
+  output::HistoryNames all{
+      names(conditions), {}, names(parameters.materials.materials), parameters.loading.inertia};
   for (const auto& [name, condition] : conditions)
     if (condition.rotation) all.turning.push_back(name);
   return all;

@@ -76,9 +76,9 @@ class KernelsOf : public ShapeKernels {
   }
   void mass_tangent(const Points& points, const Kokkos::View<const double*, Device>& density,
                     const transfer::BlockRows<Device>& rows) const override {
-    launch("mass tangent", points,
-           transfer::MassTangent<Shape, Device, transfer::BlockRows<Device>>{
-               {points}, density, rows});
+    launch(
+        "mass tangent", points,
+        transfer::MassTangent<Shape, Device, transfer::BlockRows<Device>>{{points}, density, rows});
   }
   void mass_tangent(const Points& points, const Kokkos::View<const double*, Device>& density,
                     const transfer::StencilRows<Device>& rows) const override {

@@ -38,7 +38,7 @@ struct Problem {
   /// Besides, a force per reference volume [pN/um^3] at full load that depends on where a particle
   /// was in the undeformed body, X [um]; empty: none. For applications and tests, not for decks.
   std::function<std::array<double, 3>(const std::array<double, 3>& X)> body_force = {};
-  double duration = 1.0;             ///< time at full load [s]
+  double duration = 1.0;  ///< time at full load [s]
   /// Of each material [kg/m^3]; empty: all alike, which inertia does not take.
   std::vector<double> density = {};
   /// Of the particles next to the body's faces across each axis, at load 0 [um]; tractions and

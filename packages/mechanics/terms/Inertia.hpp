@@ -109,7 +109,8 @@ class Inertia : public Term {
   grid::Vector from_;      // displacement of the last accepted state [um]
   NodeView carried_from_;  // the same at the particles, of the consistent mass
   grid::Vector velocity_, acceleration_;
-  grid::Vector prescribed_;  // accelerations of prescribed components at the end of the step [um/s^2]
+  grid::Vector
+      prescribed_;  // accelerations of prescribed components at the end of the step [um/s^2]
 };
 
 }  // namespace stroma::mechanics

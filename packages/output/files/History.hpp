@@ -29,10 +29,10 @@ struct HistoryRow {
   double load = 0;        ///< load factor, 0 to 1 [-]
   double time = 0;        ///< [s]; without a duration the load factor
   std::int64_t newton_iterations = 0;
-  std::int64_t linear_iterations = 0;            ///< summed over the step's Newton iterations
-  double residual = 0;                           ///< ||residual|| / largest ||reaction|| so far [-]
-  double wall_seconds = 0;                       ///< since the run began [s]
-  double strain_energy = 0;                      ///< of the whole body [aJ]
+  std::int64_t linear_iterations = 0;  ///< summed over the step's Newton iterations
+  double residual = 0;                 ///< ||residual|| / largest ||reaction|| so far [-]
+  double wall_seconds = 0;             ///< since the run began [s]
+  double strain_energy = 0;            ///< of the whole body [aJ]
   /// Of a body with inertia.
   struct Motion {
     double kinetic_energy = 0;  ///< [aJ]

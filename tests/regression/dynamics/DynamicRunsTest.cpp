@@ -80,8 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Variant{"Newmark", "", ""},
         Variant{"Consistent", "", ", Mass: Consistent, Scheme: Generalised Alpha"},
-        Variant{"Damped", "",
-                ", \"Mass Damping [1/s]\": 1000, \"Stiffness Damping [s]\": 1.0e-6"},
+        Variant{"Damped", "", ", \"Mass Damping [1/s]\": 1000, \"Stiffness Damping [s]\": 1.0e-6"},
         Variant{"Reset", ", Reset: true, Shape Functions: GIMP", ", Scheme: Generalised Alpha"},
         Variant{"ResetOfSplines", ", Reset: true, Shape Functions: Quadratic B-Spline", ""}),
     [](const auto& one) { return one.param.name; });
@@ -90,8 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
 double imbalance(const History& history) {
   double worst = 0.0, size = 0.0;
   for (std::size_t s = 0; s < history.rows(); ++s) {
-    const double gained = history["strain_energy"][s] + history["kinetic_energy"][s] -
-                          history["kinetic_energy"][0];
+    const double gained =
+        history["strain_energy"][s] + history["kinetic_energy"][s] - history["kinetic_energy"][0];
     const double given = history["external_work"][s] - history["damping_work"][s];
     worst = std::max(worst, std::abs(gained - given));
     size = std::max(size, history["kinetic_energy"][s]);

@@ -71,9 +71,8 @@ TEST(Swing, IsThatOfTheReference) {
     const double size = std::hypot(force[0], force[1], force[2]);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], force[c], close * size);
     if (step < 20) return;
-    const auto displacement = expected.at("results")
-                                  .at("displacement")
-                                  .get<std::vector<std::array<double, 3>>>();
+    const auto displacement =
+        expected.at("results").at("displacement").get<std::vector<std::array<double, 3>>>();
     double largest = 0.0;
     for (const auto& of_node : displacement)
       for (const double component : of_node) largest = std::max(largest, std::abs(component));
