@@ -149,9 +149,9 @@ std::string Tables::write(const output::RunFolder& folder, const output::History
   if (most.object == 0) return "";
   return base::format(
       "objects    %lld; the largest principal value of a mean stress, %.4g Pa, is that of number "
-      "%lld (%s, %lld voxels)",
+      "%lld (%s, %lld voxel%s)",
       static_cast<long long>(objects_.count), most.stress, static_cast<long long>(most.object),
-      most.material.c_str(), static_cast<long long>(most.voxels));
+      most.material.c_str(), static_cast<long long>(most.voxels), most.voxels == 1 ? "" : "s");
 }
 
 }  // namespace stroma
