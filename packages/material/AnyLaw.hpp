@@ -18,7 +18,7 @@ namespace stroma::material {
 ///
 ///     tau = g tau_e(F F_g^-1) + F S_active F^T,   W = g W_e(F F_g^-1),   g = det F_g;
 ///
-/// each of these if wanted. It has the contract of a law (Law.hpp).
+/// each of these if wanted. Or a pressure, whose factor is that of the active stress. It has the contract of a law (Law.hpp).
 class AnyLaw {
  public:
   static constexpr int most_families = Reinforced::most_families;
@@ -28,14 +28,14 @@ class AnyLaw {
 
   AnyLaw() = default;
   template <class Law, class = std::enable_if_t<std::is_constructible_v<AnyMatrix, const Law&>>>
-  AnyLaw(const Law& matrix) : law_(matrix) {}
+  AnyLaw(const Law& matrix) : law_(matrix), is_pressure_(matrix().is<Pressure>()) {}
   /// \pre fewer than most_families so far
   void add(const FiberFamily& family) { law_.add(family); }
   void set_viscosity(const Viscosity& viscosity) { law_.set_viscosity(viscosity); }
   void set_active_stress(const ActiveStress& active) { active_ = active; }
   void set_growth(const Growth& growth) { growth_ = growth; }
 
-  const AnyMatrix& matrix() const { return law_.matrix(); }
+  KOKKOS_INLINE_FUNCTION const AnyMatrix& matrix() const { return law_.matrix(); }
   bool is_matrix_alone() const {
     return law_.is_matrix_alone() && active_.t0 == 0.0 && growth_.ratio == 1.0;
   }
@@ -90,11 +90,14 @@ class AnyLaw {
   }
 
   KOKKOS_INLINE_FUNCTION double energy_of_volume(double log_j) const {
-    return ratio_ * law_.energy_of_volume(elastic(log_j));
+    const double energy = ratio_ * law_.energy_of_volume(elastic(log_j));
+    return is_pressure_ ? energy - pressure() * expm1(log_j) : energy;
   }
   KOKKOS_INLINE_FUNCTION VolumetricStress stress_of_volume(double log_j) const {
     const VolumetricStress volume = law_.stress_of_volume(elastic(log_j));
-    return {ratio_ * volume.pressure, ratio_ * volume.modulus};
+    const double pressure_and_modulus = is_pressure_ ? -pressure() * exp(log_j) : 0.0;
+    return {ratio_ * volume.pressure + pressure_and_modulus,
+            ratio_ * volume.modulus + pressure_and_modulus};
   }
   KOKKOS_INLINE_FUNCTION double energy(const Tensor3& H, double of_volume) const {
     return ratio_ * law_.energy(elastic(H), of_volume / ratio_);
@@ -116,6 +119,10 @@ class AnyLaw {
   }
 
  private:
+  /// Of a Pressure, now [Pa].
+  KOKKOS_INLINE_FUNCTION double pressure() const {
+    return active_factor_ * law_.matrix().as<Pressure>().pressure;
+  }
   KOKKOS_INLINE_FUNCTION Tensor3 elastic(const Tensor3& H) const {
     return ratio_ == 1.0 ? H : growth_.elastic_part(H, ratio_);
   }
@@ -134,6 +141,7 @@ class AnyLaw {
   ActiveStress active_;
   Growth growth_;
   double active_factor_ = 0.0, ratio_ = 1.0;
+  bool is_pressure_ = false;
   std::uint16_t own_[most_own] = {};  // where the numbers lie that particles give [bytes]
   int own_numbers_ = 0;
 };

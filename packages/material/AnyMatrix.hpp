@@ -13,6 +13,7 @@
 #include "stroma/material/NeoHookean.hpp"
 #include "stroma/material/Ogden.hpp"
 #include "stroma/material/OneOf.hpp"
+#include "stroma/material/Pressure.hpp"
 #include "stroma/material/VerondaWestmann.hpp"
 #include "stroma/material/Yeoh.hpp"
 
@@ -27,6 +28,7 @@ using AnyMatrix = OneOf<NeoHookean,         //
                         VerondaWestmann,    //
                         HolmesMow,          //
                         ArrudaBoyce,        //
-                        HolzapfelGasserOgden>;
+                        HolzapfelGasserOgden,  //
+                        Pressure>;
 
 }  // namespace stroma::material

@@ -13,7 +13,7 @@ using tensor::Tensor3;
 
 /// Factors of a material's drives at a time, from their load curves.
 struct MaterialFactors {
-  double active = 0.0;  ///< of the active stress
+  double active = 0.0;  ///< of the active stress, or of a pressure
   double growth = 0.0;  ///< of the growth beyond 1
 };
 

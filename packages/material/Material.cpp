@@ -132,6 +132,10 @@ std::optional<std::array<double, 3>> direction_of(const MaterialParameters& mate
   return std::nullopt;
 }
 
+bool is_pressure(const MaterialParameters& material) {
+  return law_at_rest(material).matrix().is<Pressure>();
+}
+
 MaterialLaws laws_of(const NamedMaterials& materials) {
   MaterialLaws all;
   for (const auto& named : materials)

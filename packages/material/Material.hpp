@@ -66,6 +66,7 @@ struct MaterialParameters {
   std::map<std::string, double> numbers;
   std::map<std::string, std::vector<double>> lists;  ///< its lists of numbers, likewise
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
+  std::optional<std::string> load_curve;  ///< of a Pressure; absent: the load factor
   std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
   std::optional<FibersParameters> fibers;
   std::optional<ViscosityParameters> viscosity;
@@ -89,6 +90,9 @@ struct Compressibility {
 
 /// Of at least one material.
 Compressibility compressibility(const NamedMaterials& materials);
+
+/// Whether a material is a Pressure.
+bool is_pressure(const MaterialParameters& material);
 
 /// The law of each material, by index, and the directions of fibres that they point to.
 struct MaterialLaws {

@@ -69,7 +69,7 @@ class Reinforced {
   /// \pre fewer than most_families so far
   void add(const FiberFamily& family) { family_[families_++] = family; }
 
-  const AnyMatrix& matrix() const { return matrix_; }
+  KOKKOS_INLINE_FUNCTION const AnyMatrix& matrix() const { return matrix_; }
   bool has_fibers() const { return families_ > 0; }
 
   /// The matrix's, and of each family a shear modulus of E/15 and a bulk modulus of E/9, with E its

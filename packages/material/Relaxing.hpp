@@ -24,7 +24,7 @@ class Relaxing {
   void add(const FiberFamily& family) { law_.add(family); }
   void set_viscosity(const Viscosity& viscosity) { viscosity_ = viscosity; }
 
-  const AnyMatrix& matrix() const { return law_.matrix(); }
+  KOKKOS_INLINE_FUNCTION const AnyMatrix& matrix() const { return law_.matrix(); }
   bool is_matrix_alone() const { return !law_.has_fibers() && viscosity_.terms == 0; }
   /// Numbers of history that it needs.
   int states_used() const { return viscosity_.states(); }

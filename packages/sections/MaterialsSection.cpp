@@ -88,6 +88,25 @@ void check_fibers(const MaterialParameters& p, deck::Findings& findings) {
 
 }  // namespace
 
+namespace {
+
+/// A pressure has one drive, its own, and nothing beside it that bears load.
+void check_pressure(const MaterialParameters& p, deck::Findings& findings) {
+  if (!is_pressure(p)) {
+    if (p.load_curve) findings.add("Load Curve", "is used with Model = Pressure only");
+    return;
+  }
+  const auto refuse = [&](const char* name, bool is_there) {
+    if (is_there) findings.add(name, "is not admissible with Model = Pressure");
+  };
+  refuse("Fibers", p.fibers.has_value());
+  refuse("Viscosity", p.viscosity.has_value());
+  refuse("Active Stress", p.active_stress.has_value());
+  refuse("Growth", p.growth.has_value());
+}
+
+}  // namespace
+
 deck::Section<MaterialsParameters> materials_section() {
   deck::Section<MaterialParameters> material("NAME", "One material; NAME is the user's.");
   material.required("Label", &MaterialParameters::label, deck::at_least(0),
@@ -99,8 +118,11 @@ deck::Section<MaterialsParameters> materials_section() {
       "U(J). Logarithmic: K/2 (ln J)^2. Quadratic: K/4 (J^2 - 1 - 2 ln J). The same in "
       "small strain.");
   material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
-                    "Mass density, for forces per mass and for Deformation Gradient = Projected "
-                    "Displacement; there, materials without it count as equally dense.");
+                    "Mass density, for Loading|Inertia, for forces per mass and for Deformation "
+                    "Gradient = Projected Displacement; there, materials without it count as equally dense.");
+  material.optional("Load Curve", &MaterialParameters::load_curve, deck::not_empty(),
+                    "Of Model = Pressure: the name of one of the Load Curves, by which the pressure "
+                    "is multiplied; without it, by the load factor.");
   material.section(fibers_section(), &MaterialParameters::fibers);
   material.section(viscosity_section(), &MaterialParameters::viscosity);
   material.section(active_stress_section(), &MaterialParameters::active_stress);
@@ -120,6 +142,7 @@ deck::Section<MaterialsParameters> materials_section() {
                        "; admissible: \"All\"");
   });
   material.check(check_fields);
+  material.check(check_pressure);
 
   deck::Section<MaterialsParameters> section("Materials",
                                              "One sublist for each material, named by the user.");

@@ -43,6 +43,7 @@ std::string adjoint_obstacle(const Deck& deck, const std::string& path) {
     const std::string of = "Materials|" + name + "|";
     if (m.viscosity) return of + "Viscosity remembers";
     if (m.active_stress) return of + "Active Stress is no law";
+    if (material::is_pressure(m)) return of + "Pressure is no law";
     if (m.growth) return of + "Growth is no law";
   }
   if (material::vary(materials)) return "numbers of the laws vary from particle to particle";

@@ -123,6 +123,8 @@ std::vector<std::pair<std::string, mechanics::LoadCurve>> curves_of(const DeckPa
   for (const auto& [name, force] : p.external_forces.forces)
     curves.emplace_back("External Forces|" + name, force.curve);
   for (const auto& [name, material] : p.materials.materials) {
+    if (material::is_pressure(material))
+      curves.emplace_back("Materials|" + name, curve_named(p, material.load_curve));
     if (material.active_stress)
       curves.emplace_back("Materials|" + name + "|Active Stress",
                           curve_named(p, material.active_stress->load_curve));

@@ -82,6 +82,7 @@ void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& finding
   for (const auto& [name, force] : p.external_forces.forces)
     look_for("External Forces|" + name, force.load_curve);
   for (const auto& [name, material] : p.materials.materials) {
+    look_for("Materials|" + name, material.load_curve);
     if (material.active_stress)
       look_for("Materials|" + name + "|Active Stress", material.active_stress->load_curve);
     if (material.growth) look_for("Materials|" + name + "|Growth", material.growth->load_curve);

@@ -156,8 +156,10 @@ std::vector<mechanics::MaterialDrives> drives_of(const DeckParameters& p) {
   bool are_any = false;
   for (const auto& named : p.materials.materials) {
     const material::MaterialParameters& m = named.second;
-    are_any = are_any || m.active_stress || m.growth;
-    drives.push_back({curve_of(m.active_stress), curve_of(m.growth)});
+    const bool is_pressure = material::is_pressure(m);
+    are_any = are_any || is_pressure || m.active_stress || m.growth;
+    drives.push_back({is_pressure ? curve_named(p, m.load_curve) : curve_of(m.active_stress),
+                      curve_of(m.growth)});
   }
   if (!are_any) drives.clear();
   return drives;

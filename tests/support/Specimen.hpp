@@ -34,6 +34,7 @@ struct Specimen {
   mechanics::NamedForces forces;
   decltype(mechanics::Problem::body_force) body_force;  ///< [pN/um^3], at X
   std::vector<double> density;                          ///< of each law [kg/m^3]
+  std::vector<mechanics::MaterialDrives> drives;  ///< of each law
   std::optional<mechanics::Dynamics> dynamics;
   double duration = 1.0;  ///< [s]
   double stabilization = 0.0;
@@ -108,6 +109,7 @@ struct Specimen {
     problem.forces = forces;
     problem.body_force = body_force;
     problem.density = density;
+    problem.drives = drives;
     problem.dynamics = dynamics;
     problem.duration = duration;
     const auto sizes = particles::layout_sizes(layout, problem.body, voxels(), voxel_size());
