@@ -20,14 +20,14 @@
 namespace stroma::material {
 
 /// The first is the deck's default.
-using AnyMatrix = OneOf<NeoHookean,         //
-                        CoupledNeoHookean,  //
-                        MooneyRivlin,       //
-                        Ogden,              //
-                        Yeoh,               //
-                        VerondaWestmann,    //
-                        HolmesMow,          //
-                        ArrudaBoyce,        //
+using AnyMatrix = OneOf<NeoHookean,            //
+                        CoupledNeoHookean,     //
+                        MooneyRivlin,          //
+                        Ogden,                 //
+                        Yeoh,                  //
+                        VerondaWestmann,       //
+                        HolmesMow,             //
+                        ArrudaBoyce,           //
                         HolzapfelGasserOgden,  //
                         Pressure>;
 

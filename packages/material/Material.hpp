@@ -67,7 +67,7 @@ struct MaterialParameters {
   std::map<std::string, std::vector<double>> lists;  ///< its lists of numbers, likewise
   VolumetricEnergy volumetric_energy = VolumetricEnergy::logarithmic;
   std::optional<std::string> load_curve;  ///< of a Pressure; absent: the load factor
-  std::optional<double> density;  ///< rho [kg/m^3], > 0; where forces per mass act
+  std::optional<double> density;          ///< rho [kg/m^3], > 0; where forces per mass act
   std::optional<FibersParameters> fibers;
   std::optional<ViscosityParameters> viscosity;
   std::optional<ActiveStressParameters> active_stress;

@@ -51,6 +51,11 @@ void declare_inertia(deck::Section<LoadingParameters>& section) {
   section.optional("Stiffness Damping [s]", &LoadingParameters::stiffness_damping,
                    deck::not_negative(),
                    "Rayleigh's: a force of this * the tangent of stress * velocity.");
+  section.optional(
+      "Step Error [um]", &LoadingParameters::step_error, deck::positive(),
+      "Error in time of a step, the mass-weighted root of mean squares of dt^2 (beta - "
+      "1/6) times the change of acceleration, above which it is halved; steps grow back "
+      "where it is less than an eighth of this. Without it steps are what they are.");
   section.check([](const LoadingParameters& p, deck::Findings& findings) {
     const bool is_newmark = p.scheme == TimeIntegration::newmark;
     const char* with = p.inertia ? "Scheme = Generalised Alpha" : "Inertia = true";
@@ -65,6 +70,7 @@ void declare_inertia(deck::Section<LoadingParameters>& section) {
     refuse_unread("Mass Damping [1/s]", !p.inertia && p.mass_damping != 0.0, with, findings);
     refuse_unread("Stiffness Damping [s]", !p.inertia && p.stiffness_damping != 0.0, with,
                   findings);
+    refuse_unread("Step Error [um]", !p.inertia && p.step_error, with, findings);
     const double beta = p.beta.value_or(0.25), gamma = p.gamma.value_or(0.5);
     if (gamma < 0.5)
       findings.add("Gamma",

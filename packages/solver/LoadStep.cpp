@@ -29,13 +29,15 @@ NewtonResult solve_time_step(mechanics::MovingBody& body, NewtonSolver& newton, 
     newton.predict(trial, balance.supports().change(at, trial));
   }
   balance.supports().impose(at, trial);
-  const NewtonResult result = newton.solve(trial);
-  if (at == load) return result;
-  inertia.go_to_end(trial);
-  balance.set_load(load);
-  balance.supports().impose(load, trial);
-  if (balance.forces(trial).inverted > 0)
-    throw base::StepRejected("particles are turned inside out at the end of the step");
+  NewtonResult result = newton.solve(trial);
+  if (at != load) {
+    inertia.go_to_end(trial);
+    balance.set_load(load);
+    balance.supports().impose(load, trial);
+    if (balance.forces(trial).inverted > 0)
+      throw base::StepRejected("particles are turned inside out at the end of the step");
+  }
+  result.time_error = inertia.step_error(load, trial);
   return result;
 }
 

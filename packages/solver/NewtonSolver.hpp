@@ -24,6 +24,7 @@ struct NewtonResult {
   /// What the nodes bear that hold a free rigid motion, over the largest force scale so far. As
   /// long as the loads are in balance it is no more than the residual.
   double hold_share = 0.0;
+  double time_error = 0.0;  ///< of the step, of a body with inertia [um] (Inertia::step_error)
 };
 
 /// What a solver has learnt in the steps of a run.

@@ -46,8 +46,9 @@ struct LoadingParameters {
   std::optional<double> spectral_radius = {};   ///< of generalised alpha; absent: 0.9
   std::optional<double> beta = {}, gamma = {};  ///< of Newmark's; absent: 1/4, 1/2
   MassMatrix mass = MassMatrix::lumped;
-  double mass_damping = 0.0;       ///< [1/s]
-  double stiffness_damping = 0.0;  ///< [s]
+  double mass_damping = 0.0;              ///< [1/s]
+  double stiffness_damping = 0.0;         ///< [s]
+  std::optional<double> step_error = {};  ///< of time, above which a step is halved [um]
 
   int equal_steps() const { return steps.value_or(10); }
   /// Whether time has a meaning of its own.

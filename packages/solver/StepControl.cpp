@@ -42,13 +42,15 @@ double StepControl::next() const {
                                                                    : now_.load + now_.size;
 }
 
-void StepControl::accept() {
+void StepControl::accept(double time_error) {
   const bool was_whole = now_.size >= step_at(now_.load).length;
+  // A step of double length has eight times the error.
+  const bool may_grow = !is_too_long(8.0 * time_error);
   now_.load = next();
   ++now_.accepted;
   if (finished()) return;
   const double whole = step_at(now_.load).length;
-  now_.size = was_whole ? whole : std::min(2.0 * now_.size, whole);
+  now_.size = was_whole ? whole : std::min(may_grow ? 2.0 * now_.size : now_.size, whole);
 }
 
 int StepControl::remaining() const {

@@ -29,7 +29,12 @@ class StepControl {
   /// The load factor to try.
   double next() const;
   /// The step to next() has converged.
-  void accept();
+  /// \param time_error  of it, which Step Error [um] bounds [um]
+  void accept(double time_error = 0.0);
+  /// Whether a step with this error is to be rejected.
+  bool is_too_long(double time_error) const {
+    return parameters_.step_error && time_error > *parameters_.step_error;
+  }
   /// The step to next() has failed: halves it.
   /// \return false when the half would be below the smallest step
   bool reject();

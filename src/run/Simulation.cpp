@@ -91,7 +91,7 @@ void Run::take_steps() {
 
     // The step has converged: only now does anything change.
     body.accept(load.next(), *trial);
-    load.accept();
+    load.accept(solved->time_error);
     learnt = newton->memory();
     const double time = load.load() * deck.parameters.loading.seconds();
     const output::HistoryRow row = row_of(load, time, *solved, say.seconds());
@@ -121,7 +121,11 @@ std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& t
     solver::begin_step(body, *newton);
     say.compare_pieces(before, body.balance().supports(), load.load());
     trial.emplace(body.balance().owned_map());
-    return solver::solve_step(body, *newton, load.next(), *trial);
+    const solver::NewtonResult solved = solver::solve_step(body, *newton, load.next(), *trial);
+    if (load.is_too_long(solved.time_error))
+      throw base::StepRejected(base::format(
+          "its error in time is %.3g um, above Loading|Step Error [um]", solved.time_error));
+    return solved;
   } catch (const base::StepRejected& rejected) {
     say.rejected(load.next(), rejected.what());
     body.reject();

@@ -3,6 +3,7 @@
 #include "stroma/mechanics/terms/Inertia.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "stroma/base/Error.hpp"
@@ -249,6 +250,24 @@ grid::Vector Inertia::predicted(double balance_load) const {
 void Inertia::go_to_end(grid::Vector& u) const {
   const double factor = 1.0 / (1.0 - dynamics().scheme.alpha_f);
   if (factor != 1.0) u.update(1.0 - factor, from_, factor);
+}
+
+double Inertia::step_error(double load, const grid::Vector& u) const {
+  const TimeScheme& scheme = dynamics().scheme;
+  const double dt = (load - load_) * body_.problem().duration;
+  grid::Vector error(u.getMap());
+  const auto e = grid::node_view(error);
+  const auto d = grid::node_view(u), from = grid::node_view(from_);
+  const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
+  for_each_number(
+      "error of step", e.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+        const double a_1 = scheme.acceleration(dt, d(n, c) - from(n, c), v(n, c), a(n, c));
+        e(n, c) = dt * dt * (scheme.beta - 1.0 / 6.0) * (a_1 - a(n, c));
+      });
+  supports_->clear(error);
+  grid::Vector weighted(u.getMap());
+  weighted.elementWiseMultiply(1.0, mass_, error, 0.0);
+  return std::sqrt(std::max(weighted.dot(error), 0.0) * 3.0 / mass_.norm1());
 }
 
 void Inertia::arrive(double load, const grid::Vector& u) {

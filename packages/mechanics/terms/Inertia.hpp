@@ -51,6 +51,10 @@ class Inertia : public Term {
   grid::Vector predicted(double balance_load) const;
   /// The displacement at the end of a step, from that of the balance, but for prescribed components.
   void go_to_end(grid::Vector& u) const;
+  /// Error in time of a step that ends at a load with this displacement [um]: what the next term of
+  /// Taylor's series adds to it, dt^2 (beta - 1/6) (a_1 - a_0), in the root of its mass-weighted mean
+  /// square. Source: Zienkiewicz, Xie, Earthquake Engng Struct. Dyn. 20 (1991) 871.
+  double step_error(double load, const grid::Vector& u) const;
   /// The step to a load was accepted with this displacement: from now on the motion is that of its
   /// end, and so is the force, until there is another load.
   void arrive(double load, const grid::Vector& u);

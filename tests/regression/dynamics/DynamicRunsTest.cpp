@@ -114,5 +114,25 @@ TEST(DynamicRunsOfABody, BalanceTheirEnergy) {
   }
 }
 
+// Steps are halved where their error in time asks for it, and grow back: the tip comes as close to
+// where short steps bring it as the error says.
+TEST(DynamicRunsOfABody, ChooseStepsByTheirErrorInTime) {
+  const TemporaryFolder folder;
+  const auto force = [&](const std::string& name, const std::string& loading, int finer) {
+    return run_deck(folder, name, jerked("", loading, 8, finer));
+  };
+  const History exact = force("exact", "", 32), coarse = force("coarse", "", 1),
+                chosen = force("chosen", ", \"Step Error [um]\": 5.0e-4", 1);
+  EXPECT_GT(chosen.rows(), 2 * coarse.rows());
+  EXPECT_LT(chosen.rows(), exact.rows());
+  const auto departure = [&](const History& history) {
+    return std::abs(history["strain_energy"].back() - exact["strain_energy"].back());
+  };
+  EXPECT_LT(departure(chosen), 0.2 * departure(coarse));
+  std::printf("  %zu steps instead of %zu: %.2e instead of %.2e\n", chosen.rows() - 1,
+              coarse.rows() - 1, departure(chosen), departure(coarse));
+  EXPECT_NE(content_of(folder / "chosen/log.txt").find("its error in time is"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stroma::test

@@ -127,8 +127,7 @@ TEST(Pressure, HasConsistentDerivatives) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) H(i, j) = 0.1 * std::sin(3.0 * i + 5.0 * j + 1.0);
   const tensor::Tensor3 sigma = material::cauchy_stress(law, H);
-  const tensor::Tensor3 solid =
-      material::cauchy_stress(material::Pressure{0.0, 20.0}.solid(), H);
+  const tensor::Tensor3 solid = material::cauchy_stress(material::Pressure{0.0, 20.0}.solid(), H);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       EXPECT_NEAR(sigma(i, j) - solid(i, j), i == j ? -210.0 : 0.0, 1e-11);
