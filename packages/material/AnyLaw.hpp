@@ -28,7 +28,7 @@ class AnyLaw {
 
   AnyLaw() = default;
   template <class Law, class = std::enable_if_t<std::is_constructible_v<AnyMatrix, const Law&>>>
-  AnyLaw(const Law& matrix) : law_(matrix), is_pressure_(matrix().is<Pressure>()) {}
+  AnyLaw(const Law& matrix) : law_(matrix), is_pressure_(law_.matrix().is<Pressure>()) {}
   /// \pre fewer than most_families so far
   void add(const FiberFamily& family) { law_.add(family); }
   void set_viscosity(const Viscosity& viscosity) { law_.set_viscosity(viscosity); }

@@ -117,12 +117,14 @@ deck::Section<MaterialsParameters> materials_section() {
       {{"Logarithmic", VolumetricEnergy::logarithmic}, {"Quadratic", VolumetricEnergy::quadratic}},
       "U(J). Logarithmic: K/2 (ln J)^2. Quadratic: K/4 (J^2 - 1 - 2 ln J). The same in "
       "small strain.");
-  material.optional("Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
-                    "Mass density, for Loading|Inertia, for forces per mass and for Deformation "
-                    "Gradient = Projected Displacement; there, materials without it count as equally dense.");
-  material.optional("Load Curve", &MaterialParameters::load_curve, deck::not_empty(),
-                    "Of Model = Pressure: the name of one of the Load Curves, by which the pressure "
-                    "is multiplied; without it, by the load factor.");
+  material.optional(
+      "Density [kg/m^3]", &MaterialParameters::density, deck::positive(),
+      "Mass density, for Loading|Inertia, for forces per mass and for Deformation "
+      "Gradient = Projected Displacement; there, materials without it count as equally dense.");
+  material.optional(
+      "Load Curve", &MaterialParameters::load_curve, deck::not_empty(),
+      "Of Model = Pressure: the name of one of the Load Curves, by which the pressure "
+      "is multiplied; without it, by the load factor.");
   material.section(fibers_section(), &MaterialParameters::fibers);
   material.section(viscosity_section(), &MaterialParameters::viscosity);
   material.section(active_stress_section(), &MaterialParameters::active_stress);

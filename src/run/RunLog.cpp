@@ -17,6 +17,23 @@ using base::format;
 RunLog::RunLog(const base::Communicator& communicator, const Deck& deck, base::Log& log)
     : communicator_(communicator), deck_(&deck), log_(&log), start_(MPI_Wtime()) {}
 
+namespace {
+
+/// The energy of a pressure depends on its wall alone only where particles integrate the volume of a
+/// displaced element exactly: at Gauss points.
+std::string pressure_note(const DeckParameters& p) {
+  if (p.particles.layout == particles::Layout::gauss) return "";
+  for (const auto& [name, material] : p.materials.materials)
+    if (material::is_pressure(material))
+      return "material \"" + name +
+             "\" is a pressure, and particles are not at Gauss points: nodes within it feel a force "
+             "of the quadrature, against which its solid may be too soft; Particles|Layout = Gauss "
+             "has none";
+  return "";
+}
+
+}  // namespace
+
 double RunLog::seconds() const { return MPI_Wtime() - start_; }
 
 void RunLog::go_on(const output::HistoryRow& row) {
@@ -48,8 +65,9 @@ void RunLog::describe(const Specimen& specimen, const mechanics::MomentumBalance
   if (!crowded.empty()) log_->note(crowded);
   for (const std::string& note : specimen.notes) log_->note(note);
   for (const std::string& note : balance.supports().notes()) log_->note(note);
-  for (const std::string& note : {mechanics::barely_filled_note(balance),
-                                  solver::contrast_note(circumstances(*deck_, balance))})
+  for (const std::string& note :
+       {pressure_note(deck_->parameters), mechanics::barely_filled_note(balance),
+        solver::contrast_note(circumstances(*deck_, balance))})
     if (!note.empty()) log_->note(note);
 }
 

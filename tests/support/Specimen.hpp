@@ -34,7 +34,7 @@ struct Specimen {
   mechanics::NamedForces forces;
   decltype(mechanics::Problem::body_force) body_force;  ///< [pN/um^3], at X
   std::vector<double> density;                          ///< of each law [kg/m^3]
-  std::vector<mechanics::MaterialDrives> drives;  ///< of each law
+  std::vector<mechanics::MaterialDrives> drives;        ///< of each law
   std::optional<mechanics::Dynamics> dynamics;
   double duration = 1.0;  ///< [s]
   double stabilization = 0.0;

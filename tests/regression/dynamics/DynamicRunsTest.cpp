@@ -2,7 +2,7 @@
 
 /// \file
 /// Runs of bodies with inertia, by the program: on any number of ranks, in parts, and their
-/// balance of energy. Claims V-DYN-RUNS and V-DYN-WORK, docs/verification.md.
+/// balance of energy. Claims V-DYN-RUNS, V-DYN-WORK and V-DYN-STEPS, docs/verification.md.
 
 #include <gtest/gtest.h>
 
