@@ -133,7 +133,7 @@ std::optional<std::array<double, 3>> direction_of(const MaterialParameters& mate
 }
 
 bool is_pressure(const MaterialParameters& material) {
-  return law_at_rest(material).matrix().is<Pressure>();
+  return model_of(material).name == Pressure::name();
 }
 
 MaterialLaws laws_of(const NamedMaterials& materials) {

@@ -2,7 +2,7 @@
 
 /// \file
 /// Pressure in a label, against Lame's solutions for a tube and a hollow ball, and its derivatives.
-/// Claims V-PRESS-1 to V-PRESS-3, docs/verification.md.
+/// Claims V-PRESS-1, V-PRESS-2 and V-PRESS-3, docs/verification.md.
 
 #include <gtest/gtest.h>
 
