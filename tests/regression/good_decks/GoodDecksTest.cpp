@@ -478,13 +478,41 @@ TEST(MeasuredDisplacementsDeck, RepeatsTheInteriorOfTheWhole) {
   EXPECT_LT(error, 0.025);
 }
 
+// 17_swing: energy goes from motion into strain and back, and none is lost.
+TEST(SwingDeck, KeepsItsEnergyOnTheWay) {
+  const TemporaryFolder results;
+  const Outcome run = run_input(results, "17_swing/deck.yaml", {"Output|Report=false"});
+  ASSERT_EQ(run.status, 0) << run.standard_error;
+  const History history(results.path() / "out" / "history.csv");
+  const auto &kinetic = history["kinetic_energy"], &strain = history["strain_energy"];
+  ASSERT_EQ(history.rows(), 41U);
+  for (std::size_t s = 0; s < history.rows(); ++s)
+    EXPECT_NEAR(kinetic[s] + strain[s], kinetic[0], 3e-3 * kinetic[0]) << s;
+  EXPECT_LT(kinetic[11], 0.05 * kinetic[0]);
+  EXPECT_GT(kinetic[23], 0.9 * kinetic[0]);
+}
+
+// 18_pressed_vessel: the pulse doubles the lumen, and leaves nothing behind.
+TEST(PressedVesselDeck, WidensAndReturns) {
+  const TemporaryFolder results;
+  const Outcome run = run_input(results, "18_pressed_vessel/deck.yaml", {"Output|Report=false"});
+  ASSERT_EQ(run.status, 0) << run.standard_error;
+  const History history(results.path() / "out" / "history.csv");
+  const auto& lumen = history["lumen.volume"];
+  EXPECT_EQ(lumen.front(), 624.0);
+  EXPECT_NEAR(*std::max_element(lumen.begin(), lumen.end()), 1251.7, 1.0);
+  EXPECT_NEAR(lumen.back(), 624.0, 1e-6);
+  for (std::size_t s = 0; s < history.rows(); ++s)
+    EXPECT_NEAR(history["left.reaction_x"][s], -history["right.reaction_x"][s], 0.02);
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study, 14_fit_vessel_modulus by tests/verification/fit.
   std::vector<std::string> tested{
-      "04_simple_shear", "06_resolution_study",      "09_tissue_laws",    "10_ramp_and_hold",
-      "11_fiber_gel",    "12_contracting_cell",      "13_growing_vessel", "14_fit_vessel_modulus",
-      "15_rigs",         "16_measured_displacements"};
+      "04_simple_shear", "06_resolution_study",       "09_tissue_laws",    "10_ramp_and_hold",
+      "11_fiber_gel",    "12_contracting_cell",       "13_growing_vessel", "14_fit_vessel_modulus",
+      "15_rigs",         "16_measured_displacements", "17_swing",          "18_pressed_vessel"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))

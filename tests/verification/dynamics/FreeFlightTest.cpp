@@ -56,7 +56,7 @@ test::Specimen flying(bool lumped, bool spins) {
 }
 
 /// The largest departures of momentum and of angular momentum, over their sizes.
-std::array<double, 2> departures(test::Specimen specimen) {
+std::array<double, 2> departures(const test::Specimen& specimen) {
   mechanics::MovingBody body = specimen.moving_body(base::Communicator::world());
   const std::array<double, 6> at_start = momenta(body, body.displacement());
   std::array<double, 2> worst{}, sizes{};
