@@ -200,7 +200,20 @@ void MovingBody::project() {
 }
 
 std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
-  if (!previous_ || problem_.dynamics || !follows_the_load(problem_)) return std::nullopt;
+  if (problem_.dynamics || !follows_the_load(problem_)) return std::nullopt;
+  return on_the_line(load);
+}
+
+std::optional<grid::Vector> MovingBody::predicted(double load) const {
+  if (!is_predictable_ || balance_->inertia()->has_idle_nodes()) return std::nullopt;
+  if (is_line_better_)
+    if (auto line = on_the_line(load)) return line;
+  return balance_->inertia()->predicted(load);
+}
+
+/// Through the last two accepted steps.
+std::optional<grid::Vector> MovingBody::on_the_line(double load) const {
+  if (!previous_) return std::nullopt;
   const double ratio = (load - motion_.load) / (motion_.load - motion_.previous_load);
   grid::Vector u(*displacement_, Teuchos::Copy);
   u.update(-ratio, *previous_, 1.0 + ratio);
@@ -208,6 +221,14 @@ std::optional<grid::Vector> MovingBody::extrapolated(double load) const {
 }
 
 void MovingBody::accept(double load, const grid::Vector& u) {
+  if (problem_.dynamics) {
+    const auto distance = [&](grid::Vector guess) {
+      guess.update(-1.0, u, 1.0);
+      return guess.norm2();
+    };
+    const auto line = on_the_line(load);
+    is_line_better_ = line && distance(*line) < distance(balance_->inertia()->predicted(load));
+  }
   previous_ = std::move(displacement_);
   displacement_ = std::make_unique<grid::Vector>(u, Teuchos::Copy);
   motion_.previous_load = motion_.load;

@@ -91,10 +91,14 @@ class MovingBody {
     previous_.reset();
     is_predictable_ = false;
   }
-  /// Whether the motion of a body with inertia tells where it is at the next step.
-  bool is_predictable() const { return is_predictable_ && !balance_->inertia()->has_idle_nodes(); }
+  /// Displacement of a body with inertia at a load factor, if its motion tells: by velocities and
+  /// accelerations, or on the straight line of the step before, whichever would have come closer to
+  /// that. The latter does where steps are long for the body's vibrations. Prescribed components are
+  /// not set.
+  std::optional<grid::Vector> predicted(double load) const;
 
  private:
+  std::optional<grid::Vector> on_the_line(double load) const;
   void reset_grid();
   void project();
 
@@ -104,7 +108,7 @@ class MovingBody {
   std::unique_ptr<grid::Vector> displacement_;
   std::unique_ptr<grid::Vector> previous_;  // a step earlier, on the same base; null: not known
   Motion motion_;
-  bool is_predictable_ = false;
+  bool is_predictable_ = false, is_line_better_ = false;
 };
 
 }  // namespace stroma::mechanics

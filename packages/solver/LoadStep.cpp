@@ -22,8 +22,8 @@ NewtonResult solve_time_step(mechanics::MovingBody& body, NewtonSolver& newton, 
   const mechanics::Inertia& inertia = *balance.inertia();
   const double at = inertia.balance_load(load);
   balance.set_load(at);
-  if (body.is_predictable()) {
-    trial.assign(inertia.predicted(at));
+  if (const auto predicted = body.predicted(at)) {
+    trial.assign(*predicted);
   } else {
     trial.assign(body.displacement());
     newton.predict(trial, balance.supports().change(at, trial));

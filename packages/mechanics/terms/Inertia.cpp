@@ -240,8 +240,8 @@ void Inertia::prescribe(double end) {
   prescribed_.update(-1.0 / (bit * time * time), earlier, 1.0 / (bit * time * time));
 }
 
-grid::Vector Inertia::predicted(double balance_load) const {
-  const double dt = (balance_load - load_) * body_.problem().duration;
+grid::Vector Inertia::predicted(double load) const {
+  const double dt = (load - load_) * body_.problem().duration;
   grid::Vector u(from_, Teuchos::Copy);
   u.update(dt, velocity_, 0.5 * dt * dt, acceleration_, 1.0);
   return u;

@@ -47,8 +47,8 @@ class Inertia : public Term {
   /// Whether there are nodes without a mass that are not prescribed: of fictitious points alone,
   /// they move as their neighbours let them.
   bool has_idle_nodes() const { return has_idle_nodes_; }
-  /// Where the balance is if accelerations stay what they are [um].
-  grid::Vector predicted(double balance_load) const;
+  /// Where the body is at a load if accelerations stay what they are [um].
+  grid::Vector predicted(double load) const;
   /// The displacement at the end of a step, from that of the balance, but for prescribed components.
   void go_to_end(grid::Vector& u) const;
   /// Error in time of a step that ends at a load with this displacement [um]: what the next term of
