@@ -317,8 +317,9 @@ double MomentumBalance::external_power(const grid::Vector& u) {
   double power = unbalanced.dot(v) - unbalanced.dot(free);
   const auto at_u = state(u);
   grid::Vector force(owned_map());
-  for (std::size_t n = 2; n < terms_.size(); ++n) {
-    terms_[n]->force(at_u, force);
+  for (const auto& term : terms_) {
+    if (term == terms_.front() || term.get() == inertia_) continue;  // the first is that of stress
+    term->force(at_u, force);
     power -= force.dot(v);
   }
   return power;

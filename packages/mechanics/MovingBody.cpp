@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "stroma/base/Error.hpp"
@@ -51,29 +50,18 @@ bool holds_plane(const Problem& problem, int d, bool is_upper_end) {
 
 /// Adds a knot at an end beyond which particles lie too far: functions are negative there, and the
 /// masses of nodes would be with them. Not where a plane is held at its nodes.
-void enclose(const base::Communicator& communicator, const Problem& problem,
-             const particles::Particles<grid::Device>& particles, grid::Grid& grid) {
+void enclose(const Problem& problem, const particles::ParticleExtent& extent, grid::Grid& grid) {
   constexpr double share = 0.1;  // of an element
-  const auto position =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.position);
   for (int d = 0; d < 3; ++d) {
     if (!grid.centered || (grid.flat && d == 2)) continue;
     const auto i = static_cast<std::size_t>(d);
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (int p = 0; p < particles.count(); ++p) {
-      lowest = std::min(lowest, position(p, d));
-      highest = std::max(highest, position(p, d));
-    }
     const double h = grid.spacing[i], first = grid.origin[i] + 0.5 * h,
                  last = first + static_cast<double>(grid.elements[i] - 1) * h;
-    const bool below =
-        communicator.min(lowest)<first - share * h, above = communicator.max(highest)> last +
-        share * h;
-    if (below && !holds_plane(problem, d, false)) {
+    if (extent.lowest[i] + share * h < first && !holds_plane(problem, d, false)) {
       grid.origin[i] -= h;
       ++grid.elements[i];
     }
-    if (above && !holds_plane(problem, d, true)) ++grid.elements[i];
+    if (extent.highest[i] - share * h > last && !holds_plane(problem, d, true)) ++grid.elements[i];
   }
 }
 
@@ -95,7 +83,7 @@ grid::Grid grid_under(const base::Communicator& communicator, const Problem& pro
     if (knot == -1) grid.origin[i] -= grid.spacing[i];
     if (knot == -1 || knot == grid.elements[i]) ++grid.elements[i];
   }
-  if (problem.dynamics) enclose(communicator, problem, particles, grid);
+  if (problem.dynamics) enclose(problem, particles::extent_of(communicator, particles), grid);
   return grid;
 }
 

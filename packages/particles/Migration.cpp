@@ -48,22 +48,32 @@ void make_movable(const base::Communicator& communicator, Particles<grid::Device
   Kokkos::deep_copy(particles.home, home);
 }
 
-grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
+ParticleExtent extent_of(const base::Communicator& communicator,
                          const Particles<grid::Device>& particles) {
   const auto position =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.position);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  grid::Grid grid = body;
-  double elements = 1.0;
+  ParticleExtent extent;
   for (int d = 0; d < 3; ++d) {
     double lowest = infinity, highest = -infinity;
     for (int p = 0; p < particles.count(); ++p) {
       lowest = std::min(lowest, position(p, d));
       highest = std::max(highest, position(p, d));
     }
-    lowest = communicator.min(lowest);
-    highest = communicator.max(highest);
+    extent.lowest[d] = communicator.min(lowest);
+    extent.highest[d] = communicator.max(highest);
+  }
+  return extent;
+}
+
+grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
+                         const Particles<grid::Device>& particles) {
+  const ParticleExtent extent = extent_of(communicator, particles);
+  grid::Grid grid = body;
+  double elements = 1.0;
+  for (int d = 0; d < 3; ++d) {
     if (d == 2 && body.flat) continue;
+    const double lowest = extent.lowest[d], highest = extent.highest[d];
     elements *= 1.0 + (highest - lowest) / body.spacing[d];
     if (!(elements < 64.0 * static_cast<double>(body.all_elements().count()) + 4096.0))
       throw base::RunError(base::format(

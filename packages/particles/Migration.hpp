@@ -5,6 +5,8 @@
 /// \file
 /// Particles on the move: the grid that they fill, and their way to the owners of their elements.
 
+#include <array>
+
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Partition.hpp"
 #include "stroma/grid/Types.hpp"
@@ -25,6 +27,14 @@ std::size_t numbers_anywhere(const base::Communicator& communicator, const Field
 /// Makes room for all that moves: base displacement and gradient (zero), and home, which numbers
 /// the particles of each rank as they stand now (Exchange.hpp).
 void make_movable(const base::Communicator& communicator, Particles<grid::Device>& particles);
+
+/// Between which places along each axis the particles of all ranks lie [um].
+struct ParticleExtent {
+  std::array<double, 3> lowest, highest;
+};
+/// Collective.
+ParticleExtent extent_of(const base::Communicator& communicator,
+                         const Particles<grid::Device>& particles);
 
 /// The smallest box of elements of a lattice that holds the particles of all ranks. The lattice is
 /// that of `body`, continued without end in each direction; so the grid follows the body wherever

@@ -231,8 +231,11 @@ void FieldFiles::write_particles(const output::HistoryRow& row,
                                  const mechanics::MomentumBalance& balance, const grid::Vector& u) {
   const base::Stage stage("output");
   if (!particle_file_) open_particle_file(balance);
-  particle_file_->write(row.time, particle_set(), states(balance, u), output::history_values(row));
-  if (deck_->parameters.output.vtkhdf) write_vtkhdf_particles(row, balance, u);
+  const bool as_vtkhdf = deck_->parameters.output.vtkhdf;
+  const auto fields = as_vtkhdf ? shown(balance) : std::vector<output::ShownField>();
+  const output::StatePieces pieces = states(balance, u);  // the last to ask the body for something
+  particle_file_->write(row.time, particle_set(), pieces, output::history_values(row));
+  if (as_vtkhdf) write_vtkhdf_particles(row, pieces, fields);
   particles_step_ = row.step;
 }
 
@@ -245,11 +248,10 @@ std::vector<output::VtkhdfNumber> FieldFiles::numbers(const output::HistoryRow& 
 }
 
 void FieldFiles::write_vtkhdf_particles(const output::HistoryRow& row,
-                                        const mechanics::MomentumBalance& balance,
-                                        const grid::Vector& u) {
+                                        const output::StatePieces& pieces,
+                                        const std::vector<output::ShownField>& fields) {
   output::write_vtkhdf_particles(communicator_, vtkhdf_particles_.path(row.step), particle_set(),
-                                 states(balance, u), shown(balance), numbers(row),
-                                 deck_->parameters.output.precision);
+                                 pieces, fields, numbers(row), deck_->parameters.output.precision);
   vtkhdf_particles_.add({row.step, row.time});
 }
 

@@ -76,8 +76,8 @@ class FieldFiles {
   void write_particles(const output::HistoryRow& row, const mechanics::MomentumBalance& balance,
                        const grid::Vector& u);
   std::vector<output::VtkhdfNumber> numbers(const output::HistoryRow& row) const;
-  void write_vtkhdf_particles(const output::HistoryRow& row,
-                              const mechanics::MomentumBalance& balance, const grid::Vector& u);
+  void write_vtkhdf_particles(const output::HistoryRow& row, const output::StatePieces& pieces,
+                              const std::vector<output::ShownField>& fields);
   void open_grid_file(const output::GridPart& part);
   void write_grid(const output::HistoryRow& row, mechanics::MomentumBalance& balance,
                   const grid::Vector& u);

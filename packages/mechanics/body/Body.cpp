@@ -167,18 +167,22 @@ Kokkos::View<std::uint8_t*, grid::Device> Body::filled_elements(
 }
 
 void Body::project_displacement(const grid::Vector& u, grid::Vector& projected) const {
-  const auto fields = particle_fields(u);
+  find_nodal_means(u, particle_fields(u).displacement, projected);
+}
+
+void Body::find_nodal_means(const grid::Vector& u, const grid::ConstNodeView& field,
+                            grid::Vector& means) const {
   const Points at_u = points(u);
   const std::size_t nodes = at_u.displacement.extent(0);
   const grid::NodeView mass_of_nodes("mass", nodes), momentum("momentum", nodes);
-  kernels_->project_to_nodes(at_u, fields.displacement, density_, mass_of_nodes, momentum);
+  kernels_->project_to_nodes(at_u, field, density_, mass_of_nodes, momentum);
   grid::Vector mass(halo_.owned_map());
   Kokkos::deep_copy(halo_.contributions(), mass_of_nodes);
   halo_.sum_to_owner(mass);
   Kokkos::deep_copy(halo_.contributions(), momentum);
-  halo_.sum_to_owner(projected);
+  halo_.sum_to_owner(means);
   const auto m = grid::node_view(static_cast<const grid::Vector&>(mass));
-  const auto value = grid::node_view(projected);
+  const auto value = grid::node_view(means);
   Kokkos::parallel_for(
       "divide by mass",
       Kokkos::RangePolicy<grid::ExecutionSpace>(0, static_cast<int>(value.extent(0))),

@@ -119,6 +119,12 @@ class Body {
   /// The displacement of the particles from the undeformed body, put on the grid anew (the paper's
   /// equation 1): u_I = sum_p m_p N_I u_p / sum_p m_p N_I  [um]; 0 where no particle is.
   void project_displacement(const grid::Vector& u, grid::Vector& projected) const;
+  /// The same of any vector of the particles, such as their velocity, in its unit.
+  ///
+  /// \param u      displacement since the base [um]
+  /// \param field  (particle, component)
+  void find_nodal_means(const grid::Vector& u, const grid::ConstNodeView& field,
+                        grid::Vector& means) const;
   /// Sets the base gradient of movable particles from a displacement of the nodes that leads from
   /// the undeformed body to the base (the paper's equation 2).
   /// \throws base::RunError when it turns particles inside out

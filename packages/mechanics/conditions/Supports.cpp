@@ -74,21 +74,22 @@ Supports::Supports(const grid::Halo& halo, const Problem& problem, double base_l
   body.held_otherwise([&](const HeldComponent& held) { statics.add_held(held); });
   statics.complete();
   pieces_ = statics.summary();
-  if (problem.dynamics) {  // inertia holds what nothing else does
+  if (problem.dynamics)  // inertia holds what nothing else does
     pieces_.carried = pieces_.carried_elements = pieces_.carried_particles = 0;
-    mark_held();
-    held_owned_ = {};
-    return;
-  }
-  if (body.is_refused_if_loose) {
-    std::vector<std::string> names;
-    for (const auto& named : problem.conditions) names.push_back(named.first);
-    statics.refuse_what_moves(names, base_load == 0.0);
-  }
-  carry_idle_pieces(body, statics);
-  hold_free_motions(body, statics.free_pieces(), problem.method.reset);
+  else
+    hold_what_is_loose(body, statics);
   mark_held();
   held_owned_ = {};
+}
+
+void Supports::hold_what_is_loose(const SupportedBody& body, const BodyStatics& statics) {
+  if (body.is_refused_if_loose) {
+    std::vector<std::string> names;
+    for (const auto& named : problem_->conditions) names.push_back(named.first);
+    statics.refuse_what_moves(names, base_load_ == 0.0);
+  }
+  carry_idle_pieces(body, statics);
+  hold_free_motions(body, statics.free_pieces(), problem_->method.reset);
 }
 
 NodeComponent Supports::component(int unknown) const {

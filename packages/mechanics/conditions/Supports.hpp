@@ -127,6 +127,7 @@ class Supports {
   template <class Condition>
   double norm_where(const grid::Vector& unbalanced_force, const Condition& is_one) const;
   void prescribe_faces(const Problem& problem, const SupportedBody& supported);
+  void hold_what_is_loose(const SupportedBody& body, const BodyStatics& statics);
   void carry_idle_pieces(const SupportedBody& body, const BodyStatics& statics);
   void hold_free_motions(const SupportedBody& body, const std::vector<std::int64_t>& free_pieces,
                          bool only_deep_nodes);

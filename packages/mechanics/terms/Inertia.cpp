@@ -30,30 +30,32 @@ void for_each_number(const char* name, std::size_t count, const Use& use) {
       });
 }
 
-/// Acceleration, and alpha_R times velocity, with which nodes or particles enter the balance.
-struct Balanced {
-  TimeScheme scheme;
-  double dt, mass_damping;
-
-  /// \param d  displacement over the way to the balance
-  KOKKOS_INLINE_FUNCTION double operator()(double d, double v, double a) const {
-    if (dt == 0.0) return a + mass_damping * v;
-    const double a_1 = scheme.acceleration(dt, d / (1.0 - scheme.alpha_f), v, a);
-    const double v_1 = scheme.velocity(dt, v, a, a_1);
-    return (1.0 - scheme.alpha_m) * a_1 + scheme.alpha_m * a +
-           mass_damping * ((1.0 - scheme.alpha_f) * v_1 + scheme.alpha_f * v);
-  }
-};
-
 /// The motion at the end of a step from that at its begin.
-struct Ended {
+struct AtEnd {
   TimeScheme scheme;
   double dt;
 
+  /// \param d  displacement over the step
   KOKKOS_INLINE_FUNCTION void operator()(double d, double& v, double& a) const {
     const double a_1 = scheme.acceleration(dt, d, v, a);
     v = scheme.velocity(dt, v, a, a_1);
     a = a_1;
+  }
+};
+
+/// The motion with which nodes or particles enter the balance, from that at the begin of the step; the
+/// same where no step is tried.
+struct AtBalance {
+  TimeScheme scheme;
+  double dt;
+
+  /// \param d  displacement over the way to the balance
+  KOKKOS_INLINE_FUNCTION void operator()(double d, double& v, double& a) const {
+    if (dt == 0.0) return;
+    double v_1 = v, a_1 = a;
+    AtEnd{scheme, dt}(d / (1.0 - scheme.alpha_f), v_1, a_1);
+    v = (1.0 - scheme.alpha_f) * v_1 + scheme.alpha_f * v;
+    a = (1.0 - scheme.alpha_m) * a_1 + scheme.alpha_m * a;
   }
 };
 
@@ -132,27 +134,8 @@ void Inertia::begin_particles() {
 
 /// The motion of the nodes as the mass-weighted mean of that of the particles.
 void Inertia::find_nodal_motion() {
-  gather_to_nodes(body_.particles().velocity, velocity_);
-  divide_by_mass(velocity_);
-  gather_to_nodes(body_.particles().acceleration, acceleration_);
-  divide_by_mass(acceleration_);
-}
-
-/// sum_p m_p N_I w_p of a vector w of the particles.
-void Inertia::gather_to_nodes(const NodeView& field, grid::Vector& sum) const {
-  const NodeView masses("masses", mass_here_.extent(0));
-  body_.kernels().project_to_nodes(body_.points(from_), field, density_, masses,
-                                   body_.halo().contributions());
-  body_.halo().sum_to_owner(sum);
-}
-
-void Inertia::divide_by_mass(grid::Vector& v) const {
-  const auto m = grid::node_view(mass_);
-  const auto value = grid::node_view(v);
-  for_each_number(
-      "divide by mass", value.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-        value(n, c) = m(n, 0) > 0.0 ? value(n, c) / m(n, 0) : 0.0;
-      });
+  body_.find_nodal_means(from_, body_.particles().velocity, velocity_);
+  body_.find_nodal_means(from_, body_.particles().acceleration, acceleration_);
 }
 
 /// Adds to a vector of the particles what nodal values carry.
@@ -204,7 +187,12 @@ void Inertia::carry_idle_nodes(double dt, const grid::Vector& change) {
 void Inertia::begin(const grid::Vector& unbalanced) {
   acceleration_.update(-1.0, unbalanced, 0.0);
   supports_->clear(acceleration_);
-  divide_by_mass(acceleration_);
+  const auto m = grid::node_view(static_cast<const grid::Vector&>(mass_));
+  const auto a = grid::node_view(acceleration_);
+  for_each_number(
+      "divide by mass", a.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+        a(n, c) = m(n, c) > 0.0 ? a(n, c) / m(n, c) : 0.0;
+      });
   if (!body_.particles_carry_motion()) return;
   Kokkos::deep_copy(body_.particles().acceleration, 0.0);
   carry(acceleration_, body_.particles().acceleration);
@@ -272,14 +260,14 @@ double Inertia::step_error(double load, const grid::Vector& u) const {
 
 void Inertia::arrive(double load, const grid::Vector& u) {
   const double dt = (load - load_) * body_.problem().duration;
-  const Ended ended{dynamics().scheme, dt};
+  const AtEnd at_end{dynamics().scheme, dt};
   grid::Vector change(u, Teuchos::Copy);
   change.update(-1.0, from_, 1.0);
   const grid::Vector before(velocity_, Teuchos::Copy);
   const auto of = [&](const auto& d, const auto& v, const auto& a) {
     for_each_number(
         "end of step", v.extent(0),
-        KOKKOS_LAMBDA(const int n, const int c) { ended(d(n, c), v(n, c), a(n, c)); });
+        KOKKOS_LAMBDA(const int n, const int c) { at_end(d(n, c), v(n, c), a(n, c)); });
   };
   const auto& particles = body_.particles();
   if (!is_lumped()) of(carried_by(change), particles.velocity, particles.acceleration);
@@ -314,14 +302,17 @@ TermForce Inertia::force(const TrialState& state, grid::Vector& force) const {
 }
 
 void Inertia::nodal_force(const TrialState& state, grid::Vector& force) const {
-  const Balanced balanced{dynamics().scheme, step_, dynamics().mass_damping};
+  const AtBalance at_balance{dynamics().scheme, step_};
+  const double mass_damping = dynamics().mass_damping;
   const auto f = grid::node_view(force);
   const auto u = grid::node_view(state.u), from = grid::node_view(from_);
   const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
   const auto m = grid::node_view(mass_);
   for_each_number(
       "inertia of nodes", f.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-        f(n, c) = m(n, c) * balanced(u(n, c) - from(n, c), v(n, c), a(n, c));
+        double v_b = v(n, c), a_b = a(n, c);
+        at_balance(u(n, c) - from(n, c), v_b, a_b);
+        f(n, c) = m(n, c) * (a_b + mass_damping * v_b);
       });
   if (step_ == 0.0) return;
   supports_->clear(force);
@@ -329,7 +320,8 @@ void Inertia::nodal_force(const TrialState& state, grid::Vector& force) const {
 }
 
 void Inertia::particle_force(const TrialState& state, grid::Vector& force) const {
-  const Balanced balanced{dynamics().scheme, step_, dynamics().mass_damping};
+  const AtBalance at_balance{dynamics().scheme, step_};
+  const double mass_damping = dynamics().mass_damping;
   const auto& particles = body_.particles();
   const auto v = particles.velocity, a = particles.acceleration;
   const NodeView carried("carried", v.extent(0));
@@ -339,7 +331,9 @@ void Inertia::particle_force(const TrialState& state, grid::Vector& force) const
   for_each_number(
       "inertia of particles", v.extent(0), KOKKOS_LAMBDA(const int p, const int c) {
         const double d = carried(p, c) - (has_from ? from(p, c) : 0.0);
-        carried(p, c) = balanced(d, v(p, c), a(p, c));
+        double v_b = v(p, c), a_b = a(p, c);
+        at_balance(d, v_b, a_b);
+        carried(p, c) = a_b + mass_damping * v_b;
       });
   const NodeView masses("masses", mass_here_.extent(0));
   body_.kernels().project_to_nodes(state.points, carried, density_, masses,
@@ -349,18 +343,17 @@ void Inertia::particle_force(const TrialState& state, grid::Vector& force) const
 
 /// beta_R K(u) v with the nodes' velocity at the balance.
 void Inertia::add_stiffness_damping(const TrialState& state, grid::Vector& force) const {
-  const TimeScheme& scheme = dynamics().scheme;
-  const double dt = step_, alpha = scheme.alpha_f;
+  const double dt = step_, alpha = dynamics().scheme.alpha_f;
   grid::Vector velocity(velocity_, Teuchos::Copy);
   if (dt > 0.0) {
+    const AtBalance at_balance{dynamics().scheme, dt};
     const auto u = grid::node_view(state.u), from = grid::node_view(from_);
     const auto v = grid::node_view(velocity);
     const auto a = grid::node_view(acceleration_);
     for_each_number(
         "velocity", v.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
-          const double d = (u(n, c) - from(n, c)) / (1.0 - alpha);
-          const double a_1 = scheme.acceleration(dt, d, v(n, c), a(n, c));
-          v(n, c) = (1.0 - alpha) * scheme.velocity(dt, v(n, c), a(n, c), a_1) + alpha * v(n, c);
+          double a_b = a(n, c);
+          at_balance(u(n, c) - from(n, c), v(n, c), a_b);
         });
     grid::Vector free(velocity, Teuchos::Copy), rate(velocity_.getMap());
     supports_->clear(free);

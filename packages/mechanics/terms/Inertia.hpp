@@ -91,8 +91,6 @@ class Inertia : public Term {
   void go_from(const grid::Vector& u);
   NodeView carried_by(const grid::Vector& nodal) const;
   void carry(const grid::Vector& nodal, const NodeView& field) const;
-  void gather_to_nodes(const NodeView& field, grid::Vector& sum) const;
-  void divide_by_mass(grid::Vector& v) const;
   void nodal_force(const TrialState& state, grid::Vector& force) const;
   void particle_force(const TrialState& state, grid::Vector& force) const;
   void add_stiffness_damping(const TrialState& state, grid::Vector& force) const;

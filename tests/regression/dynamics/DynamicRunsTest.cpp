@@ -22,15 +22,7 @@ std::string jerked(const std::string& grid, const std::string& loading, int step
   std::string times;
   for (int t = 1; t <= steps * finer; ++t)
     times += (t == 1 ? "" : ", ") + std::to_string(10.0 * t / finer) + "e-6";
-  return R"(Stroma:
-  Image:
-    Phantom:
-      Kind: Shapes
-      Size: [12, 12, 12]
-      Voxel Size [um]: [1, 1, 1]
-      Shapes:
-        vessel: {Kind: Cylinder, Label: 1, "Center [um]": [5, 6, 6], Axis: [0, 1, 0], "Length [um]": 12, "Radius [um]": 3}
-  Materials:
+  return "Stroma:\n" + gel_with_a_vessel + R"(  Materials:
     gel: {Label: 0, Model: Neo-Hookean, "Shear Modulus [Pa]": 520.8, Poisson Ratio: 0.4, "Density [kg/m^3]": 1000}
     vessel: {Label: 1, Model: Neo-Hookean, "Shear Modulus [Pa]": 1041.6, Poisson Ratio: 0.4, "Density [kg/m^3]": 1100}
   Grid: {"Element Size [um]": [2, 2, 2])" +

@@ -12,20 +12,22 @@
 
 namespace stroma::test {
 
-/// \param grid     what the section Grid holds beside the size of elements: ", Reset: true"
-/// \param seconds  how long it is pulled: 4 is all of it
-inline std::string long_deck(const std::string& grid, int seconds) {
-  std::string times;
-  for (int t = 1; t <= seconds; ++t) times += (t == 1 ? "" : ", ") + std::to_string(t) + ".0";
-  return R"(Stroma:
-  Image:
+/// The section Image of a cube with a vessel along y.
+inline const std::string gel_with_a_vessel = R"(  Image:
     Phantom:
       Kind: Shapes
       Size: [12, 12, 12]
       Voxel Size [um]: [1, 1, 1]
       Shapes:
         vessel: {Kind: Cylinder, Label: 1, "Center [um]": [5, 6, 6], Axis: [0, 1, 0], "Length [um]": 12, "Radius [um]": 3}
-  Materials:
+)";
+
+/// \param grid     what the section Grid holds beside the size of elements: ", Reset: true"
+/// \param seconds  how long it is pulled: 4 is all of it
+inline std::string long_deck(const std::string& grid, int seconds) {
+  std::string times;
+  for (int t = 1; t <= seconds; ++t) times += (t == 1 ? "" : ", ") + std::to_string(t) + ".0";
+  return "Stroma:\n" + gel_with_a_vessel + R"(  Materials:
     gel:
       Label: 0
       Model: Mooney-Rivlin
