@@ -21,6 +21,7 @@
 #include "commands/VerifyCommand.hpp"
 #include "fit/FitCommand.hpp"
 #include "fit/FitDeck.hpp"
+#include "report/ReportCommand.hpp"
 #include "run/Deck.hpp"
 #include "run/Simulation.hpp"
 #include "stroma/base/Communicator.hpp"
@@ -32,7 +33,6 @@
 #include "stroma/deck/Nearest.hpp"
 #include "stroma/output/files/ExodusFile.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
-#include "study/ReportCommand.hpp"
 #include "study/StudyCommand.hpp"
 #include "study/StudyDeck.hpp"
 
@@ -186,8 +186,8 @@ int main(int argc, char** argv) {
   CLI::App* verify =
       app.add_subcommand("verify", "check a folder of results against its deck and image");
   verify->add_option("DIR", options.output, "the folder that a run wrote")->required();
-  CLI::App* report =
-      app.add_subcommand("report", "make report.html of a folder of results, of a run or a study");
+  CLI::App* report = app.add_subcommand(
+      "report", "make report.html of a folder of results, of a run, a study or a fit");
   report->add_option("DIR", options.output, "the folder")->required();
   report->add_flag("--quiet", options.quiet, "print errors only");
   CLI::App* reference = app.add_subcommand("reference", "print what a deck may say");

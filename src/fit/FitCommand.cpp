@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "fit/FitPlan.hpp"
+#include "fit/FitReport.hpp"
 #include "fit/FitRuns.hpp"
 #include "fit/FitTables.hpp"
 #include "fit/LeastSquares.hpp"
@@ -167,6 +168,7 @@ void fit_command(const base::Communicator& communicator, const std::string& fit_
   folder.refuse_foreign_files(plan.files);
   folder.remove_old_results(log);
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
+  if (!plan.title.empty()) log.line("title       " + plan.title);
   log.line(format("fit         %s: %zu number%s, %zu measured forces", fit_deck.c_str(),
                   plan.parameters.parameters.all.size(),
                   plan.parameters.parameters.all.size() == 1 ? "" : "s", plan.points.size()));
@@ -191,12 +193,17 @@ void fit_command(const base::Communicator& communicator, const std::string& fit_
   const Estimate how_sure = estimate(numbers, jacobian, best.chi2);
   write("fit.csv", runs_table(plan, runs.all()));
   write("estimates.csv", estimates_table(plan, numbers, how_sure));
-  write("fitted.csv", fitted_table(plan, best));
+  write("fitted.csv", fitted_table(plan, runs.all().front(), best));
   log.line("");
   for (const std::string& line : fit_summary(plan, numbers, how_sure, best)) log.line(line);
   log.line("");
   const std::string failure = draw(communicator, plan, best, folder.folder());
   if (!failure.empty()) log.note(failure);
+  try {
+    fit_report(communicator, folder.folder(), log);
+  } catch (const base::RunError& error) {
+    log.note(std::string("report.html was not written: ") + error.what());
+  }
   folder.finish();
   log.line(format("%zu runs, %zu of them new, %.1f s on %d rank%s; %s", runs.all().size(),
                   runs.solved(), MPI_Wtime() - start, communicator.size(),

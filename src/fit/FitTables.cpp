@@ -57,14 +57,17 @@ std::string estimates_table(const FitPlan& plan, const std::vector<FittedNumber>
   return table;
 }
 
-std::string fitted_table(const FitPlan& plan, const FitRun& best) {
-  std::string table = "measurement,load,strain_or_time,measured,error,fitted\n";
+std::string fitted_table(const FitPlan& plan, const FitRun& first, const FitRun& best) {
+  std::string table = "measurement,load,strain_or_time,measured,error,fitted,start,against\n";
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
     const FitPoint& point = plan.points[i];
-    table += csv_field(plan.parameters.measurements.all[point.measurement].first) + "," +
-             csv_number(point.load) + "," + csv_number(point.measured.abscissa) + "," +
-             csv_number(point.measured.force) + "," + csv_number(point.measured.error) + "," +
-             csv_number(best.forces[static_cast<Eigen::Index>(i)]) + "\n";
+    const auto& [name, measurement] = plan.parameters.measurements.all[point.measurement];
+    const auto row = static_cast<Eigen::Index>(i);
+    table += csv_field(name) + "," + csv_number(point.load) + "," +
+             csv_number(point.measured.abscissa) + "," + csv_number(point.measured.force) + "," +
+             csv_number(point.measured.error) + "," + csv_number(best.forces[row]) + "," +
+             csv_number(first.forces[row]) + "," +
+             (measurement.against == Against::strain ? "strain" : "time") + "\n";
   }
   return table;
 }

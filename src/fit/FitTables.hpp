@@ -22,8 +22,9 @@ std::string runs_table(const FitPlan& plan, const std::vector<FitRun>& runs);
 std::string estimates_table(const FitPlan& plan, const std::vector<FittedNumber>& numbers,
                             const Estimate& estimate);
 
-/// fitted.csv: measurement (its name), load (factor), strain_or_time, measured, error, fitted [pN].
-std::string fitted_table(const FitPlan& plan, const FitRun& best);
+/// fitted.csv: measurement (its name), load (factor), strain_or_time, measured, error, fitted, start
+/// (of the first run) [pN], against (strain or time).
+std::string fitted_table(const FitPlan& plan, const FitRun& first, const FitRun& best);
 
 /// What is printed at the end, in lines.
 std::vector<std::string> fit_summary(const FitPlan& plan, const std::vector<FittedNumber>& numbers,

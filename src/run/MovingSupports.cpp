@@ -33,7 +33,20 @@ output::HistoryNames history_names(const DeckParameters& parameters) {
       names(conditions), {}, names(parameters.materials.materials), parameters.loading.inertia};
   for (const auto& [name, condition] : conditions)
     if (condition.rotation) all.turning.push_back(name);
+  for (const auto& [name, material] : parameters.materials.materials)
+    if (material::is_pressure(material)) all.pressing.push_back(name);
   return all;
+}
+
+std::vector<double> pressures_at(const DeckParameters& parameters, double load) {
+  std::vector<double> pressures;
+  for (const auto& named : parameters.materials.materials) {
+    const material::MaterialParameters& material = named.second;
+    if (material::is_pressure(material))
+      pressures.push_back(curve_named(parameters, material.load_curve).at(load) *
+                          material.numbers.at("Pressure [Pa]"));
+  }
+  return pressures;
 }
 
 }  // namespace stroma

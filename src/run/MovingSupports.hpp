@@ -23,6 +23,9 @@ std::vector<output::MovingSupport> moving_supports(const DeckParameters& paramet
 /// What the columns of history.csv are named after.
 output::HistoryNames history_names(const DeckParameters& parameters);
 
+/// The pressure of each material that is one, at a load factor, by its load curve [Pa].
+std::vector<double> pressures_at(const DeckParameters& parameters, double load);
+
 /// The names of a list of named things.
 template <class Named>
 std::vector<std::string> names(const Named& list) {

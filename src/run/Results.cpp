@@ -64,6 +64,7 @@ void Results::write(output::HistoryRow row, mechanics::MomentumBalance& balance,
                     const grid::Vector& u) {
   row.reactions = balance.reactions(u);
   row.torques = balance.torques(u);
+  row.pressures = pressures_at(deck_->parameters, row.load);
   row.motion = motion_of(row, rows_, balance, u);
   rows_.push_back(with_figures(std::move(row), communicator_, balance.body(), u));
   history_.append(rows_.back());

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "run/MovingSupports.hpp"
@@ -54,23 +55,17 @@ json maps_of(const output::RunFiles& files, std::array<double, 3>& length,
   }
   if (particles->steps() == 0) return nullptr;
   const output::ParticleMaps maps = output::particle_maps(*particles, most_steps, most_map_values);
-  for (std::size_t d = 0; d < 3; ++d)
-    length[d] = static_cast<double>(maps.lattice.count[d]) * maps.lattice.cell[d];
+  length = maps.lattice.length;
   return output::describe(maps, particles->global("load"), particles->global("step"),
                           particles->global("time"), arrays);
 }
 
 /// How many voxels along x and y, and how many planes, make one of the report's.
-std::array<std::int64_t, 3> merged_voxels(const std::array<std::int64_t, 3>& size) {
-  std::array<std::int64_t, 3> merged{1, 1, 1};
-  const auto count = [&](std::size_t d) { return (size[d] + merged[d] - 1) / merged[d]; };
-  while (count(0) * count(1) * count(2) > static_cast<std::int64_t>(most_image_values)) {
-    std::size_t axis = 0;
-    for (std::size_t d = 1; d < 3; ++d)
-      if (count(d) > count(axis)) axis = d;
-    ++merged[axis];
-  }
-  return merged;
+std::array<std::int64_t, 3> merged_voxels(const voxels::IntensityVolume& volume) {
+  output::MapLattice voxels;
+  voxels.cell = volume.voxel_size;
+  voxels.count = volume.size;
+  return output::merged(voxels, most_image_values).merged;
 }
 
 /// The image that the specimen was made from, in 8 bits: means over merged voxels of every n-th
@@ -92,7 +87,7 @@ json image_of(const base::Communicator& communicator, const Deck& deck,
   const double low = communicator.min(has_any ? *least : HUGE_VAL),
                high = communicator.max(has_any ? *most : -HUGE_VAL);
   const double scale = high > low ? 255.0 / (high - low) : 0.0;
-  const std::array<std::int64_t, 3>&size = volume->size, merged = merged_voxels(size);
+  const std::array<std::int64_t, 3>&size = volume->size, merged = merged_voxels(*volume);
   const std::int64_t nx = (size[0] + merged[0] - 1) / merged[0],
                      ny = (size[1] + merged[1] - 1) / merged[1];
   std::vector<std::uint8_t> bytes;
@@ -136,6 +131,17 @@ bool holds_sideways(const DeckParameters& parameters) {
   });
 }
 
+/// What the page has to know of the faces that turn.
+json described_turns(const DeckParameters& parameters) {
+  json turns = json::array();
+  for (const auto& [name, condition] : parameters.boundary_conditions.conditions)
+    if (condition.rotation)
+      turns.push_back({{"name", name},
+                       {"degrees", *condition.rotation},
+                       {"follows_load", condition.curve.is_load()}});
+  return turns;
+}
+
 /// For one rank.
 json data_of(const Deck& deck, const output::RunFiles& files,
              std::vector<output::PageArray>& arrays) {
@@ -151,6 +157,8 @@ json data_of(const Deck& deck, const output::RunFiles& files,
              output::table_excerpt(base::file_content(files.history()), most_history_rows, true)},
             {"materials", names(p.materials.materials)},
             {"conditions", names(p.boundary_conditions.conditions)},
+            {"turning", described_turns(p)},
+            {"pressures", history_names(p).pressing},
             {"holds_sideways", holds_sideways(p)},
             {"has_time", p.loading.has_time()},
             {"y_downwards", p.output.origin == output::Origin::Top}};
@@ -175,6 +183,14 @@ json described_supports(const DeckParameters& parameters, const std::array<doubl
                         {"strain", support.strain},
                         {"follows_load", support.follows_load}});
   return supports;
+}
+
+std::string said_in(const std::string& log, const std::string& word) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind(word + " ", 0) == 0)
+      return line.substr(std::min(line.find_first_not_of(' ', word.size()), line.size()));
+  return "";
 }
 
 void write_report(const base::Communicator& communicator, const std::string& folder,

@@ -31,7 +31,10 @@ void run_report(const base::Communicator& communicator, const std::string& folde
 void write_report(const base::Communicator& communicator, const std::string& folder,
                   const std::string& page, double start, base::Log& log);
 
-/// What report.js has to know of the supports that move.
+/// What the first line of a log says that begins with a word, as "grid"; empty where none does.
+std::string said_in(const std::string& log, const std::string& word);
+
+/// What the page has to know of the supports that move along something.
 /// \param length  edges of the body's box [um]
 nlohmann::json described_supports(const DeckParameters& parameters,
                                   const std::array<double, 3>& length);

@@ -68,6 +68,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
   folder.refuse_foreign_files(input_files(plan));
   folder.remove_old_results(log);
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
+  if (!plan.title.empty()) log.line("title       " + plan.title);
   const std::size_t count = plan.members.size();
   const auto kept =
       static_cast<std::size_t>(std::count(plan.finished.begin(), plan.finished.end(), true));

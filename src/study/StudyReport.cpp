@@ -24,20 +24,12 @@ using nlohmann::json;
 
 constexpr std::size_t most_members = 2000, most_rows = 200;
 
-/// The line of a run's log that tells its grid.
-std::string grid_line(const std::string& log) {
-  std::istringstream lines(log);
-  for (std::string line; std::getline(lines, line);)
-    if (line.rfind("grid ", 0) == 0) return line;
-  return "";
-}
-
 /// A member that has left a deck and a history.
 json member_of(const std::string& folder, const output::RunFiles& files) {
   const Deck deck = read_deck(files.deck(), {});
   return {{"folder", folder},
           {"title", deck.parameters.title},
-          {"grid", grid_line(base::file_content(files.log()))},
+          {"grid", said_in(base::file_content(files.log()), "grid")},
           {"has_time", deck.parameters.loading.has_time()},
           {"has_report", std::filesystem::exists(files.file("report.html"))},
           {"supports", described_supports(deck.parameters, {1.0, 1.0, 1.0})},
@@ -83,7 +75,8 @@ json data_of(const output::RunFiles& files) {
         std::filesystem::is_regular_file(member.history()))
       data["members"].push_back(member_of(first_field(row), member));
   }
-  data["title"] = common_title(data["members"]);
+  const std::string title = said_in(data["log"].get<std::string>(), "title");
+  data["title"] = title.empty() ? common_title(data["members"]) : title;
   return data;
 }
 

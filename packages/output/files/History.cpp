@@ -43,6 +43,7 @@ void for_each_value(Row& row, const Use& use) {
     use(material.von_mises_mean);
     use(material.von_mises_max);
   }
+  for (auto& pressure : row.pressures) use(pressure);
 }
 
 }  // namespace
@@ -64,6 +65,7 @@ std::vector<std::string> history_columns(const HistoryNames& names) {
       columns.push_back(name + "." + figure);
     }
   }
+  for (const std::string& name : names.pressing) columns.push_back(name + ".pressure");
   return columns;
 }
 
@@ -79,6 +81,7 @@ HistoryRow history_row(const std::vector<double>& values, const HistoryNames& na
   row.reactions.resize(names.conditions.size());
   row.torques.resize(names.turning.size());
   row.materials.resize(names.materials.size());
+  row.pressures.resize(names.pressing.size());
   std::size_t next = 0;
   for_each_value(row, [&](auto& value) {
     value = static_cast<std::decay_t<decltype(value)>>(values.at(next++));
@@ -113,12 +116,14 @@ History::History(const base::Communicator& communicator, std::string path, Histo
 void History::append(const HistoryRow& row) {
   if (row.reactions.size() != names_.conditions.size() ||
       row.torques.size() != names_.turning.size() ||
-      row.materials.size() != names_.materials.size()) {
+      row.materials.size() != names_.materials.size() ||
+      row.pressures.size() != names_.pressing.size()) {
     throw base::RunError(base::format(
-        "a row for '%s' has %zu reactions, %zu torques and %zu materials; its header has %zu, %zu "
-        "and %zu",
+        "a row for '%s' has %zu reactions, %zu torques, %zu materials and %zu pressures; its "
+        "header has %zu, %zu, %zu and %zu",
         path_.c_str(), row.reactions.size(), row.torques.size(), row.materials.size(),
-        names_.conditions.size(), names_.turning.size(), names_.materials.size()));
+        row.pressures.size(), names_.conditions.size(), names_.turning.size(),
+        names_.materials.size(), names_.pressing.size()));
   }
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;

@@ -44,6 +44,7 @@ struct HistoryRow {
   std::vector<std::array<double, 3>> reactions;  ///< (boundary condition) force on the body [pN]
   std::vector<double> torques;  ///< (condition that turns) on the body, about its axis [aJ]
   std::vector<MaterialSummary> materials;  ///< (material)
+  std::vector<double> pressures;           ///< (material that presses) by its load curve [Pa]
 };
 
 /// What the columns are named after.
@@ -52,10 +53,12 @@ struct HistoryNames {
   std::vector<std::string> turning;  ///< those of the conditions whose faces turn
   std::vector<std::string> materials;
   bool has_inertia = false;
+  std::vector<std::string> pressing = {};  ///< those of the materials that are pressures
 };
 
 /// Names and order of the columns, as in docs: step, load, time, ..., those of a body with inertia, then NAME.reaction_x/y/z of each
-/// boundary condition, NAME.torque of each that turns, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material.
+/// boundary condition, NAME.torque of each that turns, then NAME.volume, NAME.von_mises_mean, NAME.von_mises_max of each material, and NAME.pressure of each
+/// that is a pressure.
 std::vector<std::string> history_columns(const HistoryNames& names);
 
 /// The row as numbers, in the order of history_columns.
@@ -81,7 +84,7 @@ class History {
 
   /// Adds one row. Collective.
   /// \throws RunError on all ranks when the row did not reach the file (disk full), or does not
-  ///         have as many reactions, torques and materials as the header
+  ///         have as many reactions, torques, materials and pressures as the header
   void append(const HistoryRow& row);
 
  private:

@@ -113,7 +113,8 @@ std::vector<std::string> study_files() {
 }
 
 std::vector<std::string> fit_files() {
-  std::vector<std::string> names{"fit.csv", "estimates.csv", "fitted.csv", "log.txt"};
+  std::vector<std::string> names{"fit.csv", "estimates.csv", "fitted.csv",
+                                 "log.txt", "report.html",   "report.html.new"};
   add_picture(names, "fit");
   return names;
 }

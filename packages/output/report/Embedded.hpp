@@ -11,7 +11,7 @@ namespace stroma::output::embedded {
 
 std::string_view page();            ///< report.html, with places for the others
 std::string_view style();           ///< report.css
-std::string_view script();          ///< report.js
+std::string_view script();          ///< the files of script/
 std::string_view charts();          ///< Chart.js
 std::string_view charts_licence();  ///< of Chart.js
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <unordered_set>
 #include <vector>
 
@@ -23,15 +24,20 @@ std::vector<double> distinct(const std::unordered_set<double>& found) {
   return sorted;
 }
 
-/// What 95 % of the distances between neighbours do not exceed; 0 if there is one coordinate only.
+/// The mean of the distances between neighbours but for those of half as much again as the median:
+/// of Gauss points, whose distances take turns, and across planes that are empty. 0 if there is one
+/// coordinate only.
 double usual_distance(const std::vector<double>& coordinates) {
   if (coordinates.size() < 2) return 0.0;
   std::vector<double> gaps;
   for (std::size_t i = 1; i < coordinates.size(); ++i)
     gaps.push_back(coordinates[i] - coordinates[i - 1]);
-  const std::size_t place = (gaps.size() - 1) * 95 / 100;
-  std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(place), gaps.end());
-  return gaps[place];
+  const auto median = gaps.begin() + static_cast<std::ptrdiff_t>((gaps.size() - 1) / 2);
+  std::nth_element(gaps.begin(), median, gaps.end());
+  const double most = 1.5 * *median;
+  const auto wide =
+      std::partition(gaps.begin(), gaps.end(), [&](double gap) { return gap <= most; });
+  return std::accumulate(gaps.begin(), wide, 0.0) / static_cast<double>(wide - gaps.begin());
 }
 
 }  // namespace
@@ -76,6 +82,7 @@ MapLattice lattice_of(const ParticleReader& particles) {
     const double extent = x.empty() ? 0.0 : x.back() - x.front();
     lattice.count[d] = std::llround(extent / lattice.cell[d]) + 1;
     lattice.cell[d] = std::max(lattice.cell[d], extent / static_cast<double>(lattice.count[d]));
+    lattice.length[d] = static_cast<double>(lattice.count[d]) * lattice.cell[d];
     lattice.origin[d] = (x.empty() ? 0.0 : x.front()) - 0.5 * lattice.cell[d];
   }
   return lattice;
@@ -84,7 +91,10 @@ MapLattice lattice_of(const ParticleReader& particles) {
 MapLattice merged(const MapLattice& lattice, std::size_t most_cells) {
   MapLattice coarse = lattice;
   while (coarse.cells() > std::max<std::size_t>(most_cells, 1)) {
-    const bool in_plane = std::max(coarse.count[0], coarse.count[1]) >= coarse.count[2];
+    const bool is_flat = coarse.count[0] == 1 && coarse.count[1] == 1;
+    const bool in_plane =
+        !is_flat &&
+        (coarse.count[2] == 1 || coarse.cell[2] >= 2.0 * std::min(coarse.cell[0], coarse.cell[1]));
     for (std::size_t axis = in_plane ? 0 : 2; axis < (in_plane ? 2 : 3); ++axis) {
       const std::int64_t factor = ++coarse.merged[axis];
       coarse.count[axis] = (lattice.count[axis] + factor - 1) / factor;

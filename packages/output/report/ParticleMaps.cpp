@@ -20,6 +20,8 @@ struct MappedField {
 
 double as_it_is(const double* means) { return *means; }
 
+double length_of(const double* means) { return std::hypot(means[0], means[1], means[2]); }
+
 /// Of the components xx yy zz xy yz zx.
 double largest_principal(const double* e) {
   return tensor::principal_values({{{e[0], e[3], e[5]}, {e[3], e[1], e[4]}, {e[5], e[4], e[2]}}})(
@@ -34,7 +36,8 @@ std::vector<MappedField> fields_of(const std::vector<std::string>& variables) {
       {"principal_strain_1",
        "-",
        {"strain_xx", "strain_yy", "strain_zz", "strain_xy", "strain_yz", "strain_zx"},
-       largest_principal}};
+       largest_principal},
+      {"displacement", "um", {"displacement_x", "displacement_y", "displacement_z"}, length_of}};
   const auto lacks = [&](const MappedField& field) {
     return !std::all_of(field.variables.begin(), field.variables.end(), [&](const auto& name) {
       return std::count(variables.begin(), variables.end(), name) > 0;

@@ -20,12 +20,12 @@ using PageArray = std::pair<std::string, std::string>;
 /// The page: our own style and script, Chart.js, the data, and the arrays, each an element of its
 /// own that is unpacked when it is looked at.
 /// \param title   of the page, any text
-/// \param data    what report.js shows
+/// \param data    what the page shows
 /// \param arrays  that the data name
 std::string report_page(const std::string& title, const nlohmann::json& data,
                         const std::vector<PageArray>& arrays);
 
-/// What report.js has to know of maps; their values are added to the arrays.
+/// What the page has to know of maps; their values are added to the arrays.
 nlohmann::json describe(const ParticleMaps& maps, const std::vector<double>& loads,
                         const std::vector<double>& step_numbers, const std::vector<double>& times,
                         std::vector<PageArray>& arrays);

@@ -503,6 +503,10 @@ TEST(PressedVesselDeck, WidensAndReturns) {
   EXPECT_EQ(lumen.front(), 624.0);
   EXPECT_NEAR(*std::max_element(lumen.begin(), lumen.end()), 1251.7, 1.0);
   EXPECT_NEAR(lumen.back(), 624.0, 1e-6);
+  const auto& pressure = history["lumen.pressure"];
+  EXPECT_EQ(pressure.front(), 0.0);
+  EXPECT_NEAR(pressure[3], 250.0, 1e-10);  // half way up
+  EXPECT_NEAR(pressure[6], 500.0, 1e-10);
   for (std::size_t s = 0; s < history.rows(); ++s)
     EXPECT_NEAR(history["left.reaction_x"][s], -history["right.reaction_x"][s], 0.02);
 }

@@ -4,6 +4,8 @@
 
     browse.py run DIR [X Y Z VALUE]   of a run: VALUE is the von Mises stress of the last step at X, Y, Z [um]
     browse.py study DIR
+    browse.py fit DIR
+    browse.py layout DIR              of any: that it is drawn
 """
 import contextlib
 import csv
@@ -103,11 +105,61 @@ def axis_title(driver, chart, axis):
     return driver.execute_script("return Chart.getChart(arguments[0]).options.scales[arguments[1]].title.text", chart, axis)
 
 
-UNITS = {"pN": 1.0, "nN": 1e3, "µN": 1e6, "mN": 1e9}
+UNITS = {"pN": 1.0, "nN": 1e3, "µN": 1e6, "mN": 1e9, "aJ": 1.0, "fJ": 1e3, "pJ": 1e6, "nJ": 1e9, "pN µm": 1.0, "nN µm": 1e3, "µN µm": 1e6, "Pa": 1.0, "kPa": 1e3,
+         "µs": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
-def force_unit(driver, chart):
-    return UNITS[axis_title(driver, chart, "y").split("(")[1].rstrip(")")]
+def unit_of(driver, chart, axis="y"):
+    return UNITS[axis_title(driver, chart, axis).split("(")[1].rstrip(")")]
+
+
+def expect_curve(curve, values, unit, what):
+    """A curve's heights are these values."""
+    expect(len(curve["data"]) == len(values) and all(near(point["y"] * unit, value, 1e-12) for point, value in zip(curve["data"], values)), f"{what} is not drawn")
+
+
+def check_forces(driver, rows, data):
+    """The force along the displacement of the first support that moves, or the components of all supports' forces."""
+    curves, unit = series(driver, "force-chart"), unit_of(driver, "force-chart")
+    if not data["supports"]:
+        expect(curves != [], "there is no force of a support")
+        for curve in curves:
+            name, axis = curve["label"].rsplit(", ", 1)
+            expect_curve(curve, numbers(rows, f"{name}.reaction_{axis}"), unit, f"the force of {curve['label']}")
+        return
+    support, curve = data["supports"][0], curves[0]
+    expect(curve["label"] == support["name"], "the first curve is not that of the first support")
+    axis = max(range(3), key=lambda d: abs(support["displacement"][d]))
+    sign = 1.0 if support["displacement"][axis] > 0 else -1.0
+    expect_curve(curve, [sign * f for f in numbers(rows, f"{support['name']}.reaction_{'xyz'[axis]}")], unit, f"the force of {support['name']}")
+    seconds_in_unit = unit_of(driver, "force-chart", "x") if data["has_time"] else None
+    for point, load, seconds in zip(curve["data"], numbers(rows, "load"), numbers(rows, "time")):
+        x = seconds / seconds_in_unit if data["has_time"] else 100.0 * load * support["strain"]
+        expect(near(point["x"], x, 1e-12), f"drawn at {point['x']} instead of {x}")
+
+
+def check_curves_of_kinds(driver, rows, data):
+    """Energies of a body in motion, torques of faces that turn, pressures and their volumes."""
+    if "kinetic_energy" in rows[0]:
+        curves, unit = {one["label"]: one for one in series(driver, "energy-chart")}, unit_of(driver, "energy-chart")
+        for label, column in (("strain", "strain_energy"), ("kinetic", "kinetic_energy")):
+            expect_curve(curves[label], numbers(rows, column), unit, f"the {label} energy")
+    for turn, curve in zip(data["turning"], series(driver, "torque-chart")):
+        expect_curve(curve, numbers(rows, f"{turn['name']}.torque"), unit_of(driver, "torque-chart"), f"the torque of {turn['name']}")
+        expect(near(curve["data"][-1]["x"], turn["degrees"], 1e-12), "the torque is not drawn to the full angle")
+    expect(len(series(driver, "torque-chart")) == len(data["turning"]), "a torque is not drawn")
+    for name, curve in zip(data["pressures"], series(driver, "pressure-volume-chart")):
+        volumes = numbers(rows, f"{name}.volume")
+        expect_curve(curve, numbers(rows, f"{name}.pressure"), unit_of(driver, "pressure-volume-chart"), f"the pressure of {name}")
+        expect(all(near(point["x"], volume / volumes[0], 1e-12) for point, volume in zip(curve["data"], volumes)), f"the volume of {name} is not drawn")
+    expect(len(series(driver, "pressure-volume-chart")) == len(data["pressures"]), "a pressure is not drawn")
+
+
+def check_scale_of_time(driver):
+    """Where there is a choice, time may be logarithmic, and linear again."""
+    for scale, kind in (("log", "logarithmic"), ("linear", "linear")):
+        driver.execute_script("document.querySelector(`input[name=time-scale][value=${arguments[0]}]`).click()", scale)
+        until(lambda kind=kind: driver.execute_script("return Chart.getChart('force-chart').options.scales.x.type") == kind, f"the scale of time is not {kind}")
 
 
 def check_history(driver, folder):
@@ -120,17 +172,10 @@ def check_history(driver, folder):
     expect(shown == rows, "the table is not history.csv")
 
     data = driver.execute_script("return JSON.parse(document.getElementById('data').textContent)")
-    support = data["supports"][0]
-    curve, unit = series(driver, "force-chart")[0], force_unit(driver, "force-chart")
-    expect(curve["label"] == support["name"], "the first curve is not that of the first support")
-    axis = max(range(3), key=lambda d: abs(support["displacement"][d]))
-    sign = 1.0 if support["displacement"][axis] > 0 else -1.0
-    forces = [sign * f for f in numbers(rows, f"{support['name']}.reaction_{'xyz'[axis]}")]
-    expect(len(curve["data"]) == len(forces), "the curve has other steps")
-    for point, force, load, seconds in zip(curve["data"], forces, numbers(rows, "load"), numbers(rows, "time")):
-        expect(near(point["y"] * unit, force, 1e-12), f"a force of {point['y'] * unit} instead of {force}")
-        x = seconds if data["has_time"] else 100.0 * load * support["strain"]
-        expect(near(point["x"], x, 1e-12), f"drawn at {point['x']} instead of {x}")
+    check_forces(driver, rows, data)
+    check_curves_of_kinds(driver, rows, data)
+    if driver.find_elements(By.NAME, "time-scale"):
+        check_scale_of_time(driver)
     steps = [round(one["step"]) for one in data["maps"]["steps"]]
     most = max(numbers(rows, f"{name}.von_mises_max")[step] for name in data["materials"] for step in steps)
     field = data["maps"]["fields"][0]
@@ -222,7 +267,7 @@ def check_run(driver, folder, place):
 def check_study(driver, folder):
     check_layout(driver, folder / "report.html")
     open_page(driver, folder / "report.html", 1280, "light")
-    rows, unit = rows_of(folder / "study.csv"), force_unit(driver, "force-chart")
+    rows, unit = rows_of(folder / "study.csv"), unit_of(driver, "force-chart")
     curves = series(driver, "force-chart")
     expect(len(curves) == len(rows) - 1, f"{len(curves)} curves of {len(rows) - 1} members")
     force = next(name for name in rows[0] if name.endswith(".force"))
@@ -235,7 +280,7 @@ def check_study(driver, folder):
 
 
 def check_bands(driver, rows):
-    unit, curves = force_unit(driver, "bands-chart"), {one["label"]: one["data"] for one in series(driver, "bands-chart")}
+    unit, curves = unit_of(driver, "bands-chart"), {one["label"]: one["data"] for one in series(driver, "bands-chart")}
     for label, name in (("median of the draws, lower", "low"), ("median of the draws", "median"), ("median of the draws, upper", "high")):
         values = numbers(rows, name)
         expect(len(curves.get(label, [])) == len(values), f"bands.csv, {name}: not drawn")
@@ -245,7 +290,7 @@ def check_bands(driver, rows):
 def check_convergence(driver, convergence):
     limit, order = (convergence[0].index(name) for name in ("extrapolated_force", "order"))
     shown = driver.execute_script("return [...document.querySelectorAll('#convergence tbody tr')].map((row) => [...row.children].map((field) => field.textContent))")
-    unit = force_unit(driver, "convergence-chart")
+    unit = unit_of(driver, "convergence-chart")
     expect(len(shown) == len(convergence) - 1, "not all series of convergence.csv are shown")
     for row, line in zip(convergence[1:], shown):
         if row[limit] == "":
@@ -257,11 +302,38 @@ def check_convergence(driver, convergence):
         expect(len(ends) == 1 and ends[0]["x"] == 0 and near(ends[0]["y"] * unit, float(row[limit]), 1e-12), f"{line[0]}: its limit is not drawn")
 
 
+def check_fit(driver, folder):
+    """Forces, misfits and correlations are those of the tables."""
+    check_layout(driver, folder / "report.html")
+    open_page(driver, folder / "report.html", 1280, "light")
+    fitted, runs, estimates = (rows_of(folder / f"{name}.csv") for name in ("fitted", "fit", "estimates"))
+    curves, unit = {one["label"]: one for one in series(driver, "fitted-chart")}, unit_of(driver, "fitted-chart")
+    for label, column in (("measured", "measured"), ("fitted", "fitted"), ("first run", "start")):
+        expect_curve(curves[label], numbers(fitted, column), unit, f"the {label} force")
+    errors = [0.5 * (upper["y"] - lower["y"]) for lower, upper in zip(curves["measured, errors"]["data"][::3], curves["measured, errors"]["data"][1::3])]
+    expect(all(near(error * unit, wanted, 1e-9) for error, wanted in zip(errors, numbers(fitted, "error"))), "the bars are not the errors")
+    left = [(m - f) / e for m, f, e in zip(*(numbers(fitted, name) for name in ("measured", "fitted", "error")))]
+    expect_curve(series(driver, "fitted-residual-chart")[0], left, 1.0, "what is left")
+    misfits = [float(row[runs[0].index("chi2")]) for row in runs[1:] if row[runs[0].index("status")] == "done"]
+    expect_curve(series(driver, "misfit-chart")[0], misfits, 1.0, "the misfit")
+    shown = driver.execute_script("return [...document.querySelectorAll('#estimates tbody tr')].map((row) => [...row.children].map((field) => field.textContent))")
+    expect([row[0] for row in shown] == [row[0] for row in estimates[1:]], "not all numbers are shown")
+    for row, value in zip(shown, numbers(estimates, "value")):
+        expect(near(float(row[1]), value, 1e-6), f"{row[0]} is {row[1]} instead of {value}")
+    first = next(n for n, name in enumerate(estimates[0]) if name.startswith("correlation with "))
+    tinted = driver.execute_script("return [...document.querySelectorAll('#correlations tbody tr')].map((row) => [...row.querySelectorAll('td')].map((field) => field.textContent))")
+    expect(tinted == [[f"{float(field):.3f}" for field in row[first:]] for row in estimates[1:]], "the correlations are others")
+
+
 def main():
     kind, folder = sys.argv[1], Path(sys.argv[2])
     with browser() as driver:
         if kind == "run":
             check_run(driver, folder, [float(word) for word in sys.argv[3:7]] or None)
+        elif kind == "fit":
+            check_fit(driver, folder)
+        elif kind == "layout":
+            check_layout(driver, folder / "report.html")
         else:
             check_study(driver, folder)
         check_quiet(driver)

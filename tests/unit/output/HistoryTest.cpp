@@ -16,7 +16,8 @@
 namespace stroma {
 namespace {
 
-const output::HistoryNames sample_names{{"bottom", "top"}, {"top"}, {"collagen"}};
+const output::HistoryNames sample_names{
+    {"bottom", "top"}, {"top"}, {"collagen", "lumen"}, false, {"lumen"}};
 
 output::HistoryRow sample_row() {
   output::HistoryRow row;
@@ -30,7 +31,8 @@ output::HistoryRow sample_row() {
   row.strain_energy = 1e300;
   row.reactions = {{-0.0, 1.0, std::nextafter(2.0, 3.0)}, {4.0, -5.5, 6.0}};
   row.torques = {-3.25e7};
-  row.materials = {{7.0, 8.25, std::numeric_limits<double>::denorm_min()}};
+  row.materials = {{7.0, 8.25, std::numeric_limits<double>::denorm_min()}, {1.0, 0.0, 0.0}};
+  row.pressures = {-0.1};
   return row;
 }
 
@@ -43,7 +45,8 @@ TEST(History, WritesTheColumnsOfTheContractInOrder) {
       "step,load,time,newton_iterations,linear_iterations,residual,wall_seconds,strain_energy,"
       "bottom.reaction_x,bottom.reaction_y,bottom.reaction_z,"
       "top.reaction_x,top.reaction_y,top.reaction_z,top.torque,"
-      "collagen.volume,collagen.von_mises_mean,collagen.von_mises_max\n");
+      "collagen.volume,collagen.von_mises_mean,collagen.von_mises_max,"
+      "lumen.volume,lumen.von_mises_mean,lumen.von_mises_max,lumen.pressure\n");
 }
 
 // Each row is in the file as soon as append() has returned, on every rank's eye.
@@ -93,9 +96,10 @@ TEST(History, FullDiskIsARunErrorOnEveryRank) {
 TEST(History, RefusesARowThatDoesNotFitTheHeader) {
   const TemporaryFolder folder;
   for (const output::HistoryNames& names :
-       {output::HistoryNames{{"bottom"}, {"top"}, {"collagen"}},
-        output::HistoryNames{{"bottom", "top"}, {}, {"collagen"}},
-        output::HistoryNames{{"bottom", "top"}, {"top"}, {}}}) {
+       {output::HistoryNames{{"bottom"}, {"top"}, {"collagen", "lumen"}, false, {"lumen"}},
+        output::HistoryNames{{"bottom", "top"}, {}, {"collagen", "lumen"}, false, {"lumen"}},
+        output::HistoryNames{{"bottom", "top"}, {"top"}, {"lumen"}, false, {"lumen"}},
+        output::HistoryNames{{"bottom", "top"}, {"top"}, {"collagen", "lumen"}}}) {
     output::History history(base::Communicator::world(), folder / "h.csv", names);
     EXPECT_THROW(history.append(sample_row()), base::RunError);
   }

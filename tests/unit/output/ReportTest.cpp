@@ -31,7 +31,7 @@ constexpr int steps = 5;
 
 /// A lattice of particles, one after the other to the ranks in turn; those with i = 2 are missing.
 /// Material 1 is where i > 3. Stress is uniaxial along y, s = step (1 + i + 10 j + 100 k), and so
-/// are the strains, E_yy = s / 1000.
+/// are the strains, E_yy = s / 1000; the displacement is (3 s, 0, -4 s).
 struct Block {
   explicit Block(const std::string& path) {
     const auto world = base::Communicator::world();
@@ -52,16 +52,19 @@ struct Block {
                                   material.data()};
     output::ParticleFile file(world, path, set, {"gel", "vessel"}, {"step", "load", "time"},
                               {"title", "0", "deck"});
-    const std::vector<double> zero(id.size() * 3), one(id.size(), 1.0);
+    const std::vector<double> one(id.size(), 1.0);
     for (int step = 0; step < steps; ++step) {
-      std::vector<double> stress(id.size() * 6), gradient(id.size() * 9);
+      std::vector<double> stress(id.size() * 6), gradient(id.size() * 9),
+          displacement(id.size() * 3);
       for (std::size_t p = 0; p < id.size(); ++p) {
         stress[6 * p + 1] = step * pattern[p];
+        displacement[3 * p] = 3.0 * step * pattern[p];
+        displacement[3 * p + 2] = -4.0 * step * pattern[p];
         gradient[9 * p + 4] = std::sqrt(1.0 + 2.0 * step * pattern[p] / 1000.0) - 1.0;
       }
       file.write(0.25 * step, set,
-                 output::in_one_piece(
-                     count, {zero.data(), stress.data(), gradient.data(), one.data(), one.data()}),
+                 output::in_one_piece(count, {displacement.data(), stress.data(), gradient.data(),
+                                              one.data(), one.data()}),
                  {static_cast<double>(step), 0.25 * step, 2.5 * step});
     }
   }
@@ -118,7 +121,8 @@ TEST(ParticleMaps, HaveACellForEachParticle) {
   EXPECT_EQ(lattice.count, (std::array<std::int64_t, 3>{nx, ny, nz}));
   EXPECT_NEAR(lattice.cell[0], hx, 1e-12);
   EXPECT_NEAR(lattice.origin[0], 10.0, 1e-12);
-  ASSERT_EQ(maps.fields.size(), 3u);
+  ASSERT_EQ(maps.fields.size(), 4u);
+  EXPECT_EQ(maps.fields[3].name, "displacement");
   EXPECT_EQ(maps.fields[2].name, "principal_strain_1");
   for (std::int64_t n = 0; n < nx * ny * nz; ++n) {
     const std::int64_t i = n % nx, j = n / nx % ny, k = n / nx / ny;
@@ -132,6 +136,7 @@ TEST(ParticleMaps, HaveACellForEachParticle) {
         EXPECT_NEAR(maps.fields[0].values[step][cell], wanted, 1e-6 * wanted);
         EXPECT_NEAR(maps.fields[1].values[step][cell], wanted, 1e-6 * wanted);
         EXPECT_NEAR(maps.fields[2].values[step][cell], wanted / 1000.0, 1e-6 * wanted);
+        EXPECT_NEAR(maps.fields[3].values[step][cell], 5.0 * wanted, 1e-6 * wanted);
       }
     }
   }
@@ -143,10 +148,11 @@ TEST(ParticleMaps, MergeCellsByVolumeAndSkipStepsToStaySmall) {
   const Block block(folder / "particles.e");
   base::Communicator::world().barrier();
   const output::ParticleMaps maps =
-      output::particle_maps(ParticleReader(folder / "particles.e"), 3, 3 * 3 * 18);
+      output::particle_maps(ParticleReader(folder / "particles.e"), 3, 3 * 4 * 18);
   EXPECT_EQ(maps.steps, (std::vector<std::size_t>{0, 2, 4}));
   EXPECT_EQ(maps.lattice.merged, (std::array<std::int64_t, 3>{2, 2, 1}));
   EXPECT_EQ(maps.lattice.count, (std::array<std::int64_t, 3>{3, 2, 3}));
+  EXPECT_NEAR(maps.lattice.length[0], nx * hx, 1e-12);
   // i = 0 and 1 (a quarter as large), j = 0 and 1, at step 4
   const double mean = 4.0 * (1.0 + 0.25 * 1.0 / 1.25 + 5.0);
   EXPECT_NEAR(maps.fields[0].values[2][0], mean, 1e-6 * mean);

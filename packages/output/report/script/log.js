@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run's log says.
+
+/** What a run has said of itself. */
+function readLog(text) {
+  const lines = text.split("\n"), of = (name) => (lines.find((line) => line.startsWith(name)) || "").slice(name.length).trim();
+  const bounds = [];
+  const start = lines.findIndex((line) => line.startsWith("bounds "));
+  for (let n = start; start >= 0 && n < lines.length && lines[n].trim() !== ""; ++n) bounds.push(lines[n]);
+  const elements = /elements of (\S+) x (\S+) x (\S+) um/.exec(of("grid "));
+  const stages = [...of("time ").matchAll(/(\S.*?) ([\d.]+) s(?:\s{2}|$)/g)].map((found) => [found[1], Number(found[2])]);
+  return {
+    notes: lines.filter((line) => line.startsWith("note: ")).map((line) => line.slice(6)),
+    rejected: lines.filter((line) => /^step to load \S+ rejected/.test(line)),
+    errors: lines.filter((line) => /^stroma: /.test(line)),
+    grid: of("grid "), particles: of("particles "), memory: of("memory "), bounds, stages,
+    elements: elements ? elements.slice(1).map(Number) : null,
+  };
+}
+
+/** The table of bounds: [["shear mu", {modulus, gain} x 4], ...]. */
+function boundsTable(lines) {
+  return lines.slice(3).map((line) => line.trim().split(/\s{2,}/)).filter((row) => row.length === 5);
+}
