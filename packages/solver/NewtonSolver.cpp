@@ -13,6 +13,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/solver/RefinedSolve.hpp"
 
 namespace stroma::solver {
 namespace {
@@ -213,27 +214,9 @@ void NewtonSolver::predict(grid::Vector& u, const grid::Vector& prescribed_chang
 
 void NewtonSolver::solve_tangent(const grid::Vector& u, const grid::Vector& b, grid::Vector& x,
                                  double tolerance) {
-  if (balance_->assemble_tangent(u) > 0)
-    throw base::StepRejected("particles are turned inside out");
-  linear_solver_->set_tangent(balance_->tangent());
-  linear_solver_->set_forcing(0.0);
-  grid::Vector residual(b, Teuchos::Copy), correction(b.getMap()), product(b.getMap());
-  balance_->supports().clear(residual);
-  x.putScalar(0.0);
-  const double goal = tolerance * residual.norm2();
-  // Each pass leaves what the solver and the rounding of the stored tangent leave.
-  constexpr int most_passes = 6;
-  for (int pass = 0; pass < most_passes && residual.norm2() > goal; ++pass) {
-    linear_solver_->solve(residual, correction, parameters_.linear_tolerance);
-    balance_->supports().clear(correction);
-    x.update(1.0, correction, 1.0);
-    balance_->tangent_times(u, correction, product);
-    balance_->supports().clear(product);
-    residual.update(-1.0, product, 1.0);
-  }
+  linearize(*linear_solver_, *balance_, u);
+  solve_refined(*linear_solver_, *balance_, u, b, x, tolerance);
   reported_iterations_ = linear_solver_->total_iterations();  // they are of no load step
-  if (!(residual.norm2() <= goal))
-    throw base::StepRejected("the linear solver does not come to its tolerance");
 }
 
 }  // namespace stroma::solver
