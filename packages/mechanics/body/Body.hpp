@@ -121,8 +121,8 @@ class Body {
   void project_displacement(const grid::Vector& u, grid::Vector& projected) const;
   /// The same of any vector of the particles, such as their velocity, in its unit.
   ///
-  /// \param u      displacement since the base [um]
-  /// \param field  (particle, component)
+  /// \param u             displacement since the base [um]
+  /// \param field, means  (particle, component), and its means at owned nodes
   void find_nodal_means(const grid::Vector& u, const grid::ConstNodeView& field,
                         grid::Vector& means) const;
   /// Sets the base gradient of movable particles from a displacement of the nodes that leads from
