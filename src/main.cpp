@@ -24,6 +24,7 @@
 #include "report/ReportCommand.hpp"
 #include "run/Deck.hpp"
 #include "run/Simulation.hpp"
+#include "stiffness/StiffnessRun.hpp"
 #include "stroma/base/Communicator.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
@@ -228,9 +229,11 @@ int main(int argc, char** argv) {
       const std::string folder =
           options.output.empty() ? default_folder(options.deck) : options.output;
       try {
+        const stroma::RunOptions how{folder, options.is_restart, time_limit};
         if (*run)
-          stroma::run_simulation(communicator, *deck, {folder, options.is_restart, time_limit},
-                                 log);
+          stroma::asks_for_stiffness(deck->parameters)
+              ? stroma::run_stiffness(communicator, *deck, how, log)
+              : stroma::run_simulation(communicator, *deck, how, log);
         if (*check) stroma::check_command(communicator, *deck, log);
       } catch (const stroma::base::InputError& error) {
         throw stroma::located(*deck, error);

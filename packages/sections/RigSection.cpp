@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "stroma/mechanics/problem/StiffnessCases.hpp"
 #include "stroma/sections/Faces.hpp"
 
 namespace stroma::sections {
@@ -35,7 +36,8 @@ std::vector<std::pair<std::string, bool>> given(const RigParameters& p) {
           {"Strains", p.strains.has_value()},
           {"Displacements [um]", p.displacements.has_value()},
           {"Angle [deg]", p.angle.has_value()},
-          {"Center [um]", p.center.has_value()}};
+          {"Center [um]", p.center.has_value()},
+          {"Boundary", p.boundary.has_value()}};
 }
 
 /// Looks for what the kind does not take, for what it needs, and for two values in place of one.
@@ -45,6 +47,11 @@ void check_takes(const RigParameters& p, const Rig& rig, deck::Findings& finding
   };
   for (const auto& [name, is_given] : given(p))
     if (is_given && !takes(name)) findings.add(name, "is not used with Kind = " + rig.name);
+  for (const auto& [name, is_given] :
+       {std::pair<std::string, bool>{"Load Curve", p.load_curve.has_value()},
+        {"Imposed By", p.imposed_by.has_value()},
+        {"Penalty Factor", p.penalty_factor.has_value()}})
+    if (is_given && !rig.has_steps) findings.add(name, "is not used with Kind = " + rig.name);
   const auto require = [&](const std::string& name, bool is_given) {
     if (takes(name) && !is_given) findings.add(name, "missing; required with Kind = " + rig.name);
   };
@@ -85,6 +92,21 @@ void check_shear(const RigParameters& p, deck::Findings& findings) {
     findings.add("Sides", "\"Sheared\" needs \"Strain\", not \"Displacement [um]\"");
 }
 
+std::vector<std::string> names_of_boundaries() {
+  std::vector<std::string> names;
+  for (const auto& named : uniform_boundaries()) names.push_back(named.first);
+  return names;
+}
+
+void check_boundary(const RigParameters& p, deck::Findings& findings) {
+  if (!p.boundary) return;
+  const std::vector<std::string>& all = *p.boundary;
+  if (all.empty()) findings.add("Boundary", "is empty; admissible: one or more");
+  for (auto one = all.begin(); one != all.end(); ++one)
+    if (std::count(all.begin(), one, *one) > 0)
+      findings.add("Boundary", "\"" + *one + "\" stands there twice");
+}
+
 }  // namespace
 
 deck::Section<RigParameters> rig_section() {
@@ -119,6 +141,10 @@ deck::Section<RigParameters> rig_section() {
                    "Of Torsion: angle at full load, right-handed about the axis x, y or z.");
   section.optional("Center [um]", &RigParameters::center, deck::any(),
                    "Of Torsion: a point on the axis. Without it: the middle of the body's box.");
+  section.optional("Boundary", &RigParameters::boundary, deck::one_of(names_of_boundaries()),
+                   "Of Stiffness: what is uniform on the surface, one or more. Displacement gives "
+                   "the stiffest tensor, Traction the softest, and cannot be where empty space "
+                   "cuts the surface; Mixed lies between them. Without it: all that can be.");
   section.optional(
       "Load Curve", &RigParameters::load_curve, deck::not_empty(),
       "The name of one of the Load Curves, by which the values are multiplied; without "
@@ -132,6 +158,7 @@ deck::Section<RigParameters> rig_section() {
     check_takes(p, rig, findings);
     check_sizes(p, rig, findings);
     check_shear(p, findings);
+    check_boundary(p, findings);
     if (p.penalty_factor && p.imposed_by != ImposedBy::penalty)
       findings.add("Penalty Factor", "is used with Imposed By = Penalty only");
   });

@@ -8,6 +8,8 @@
 #include "run/BoundsTable.hpp"
 #include "run/MemoryEstimate.hpp"
 #include "run/Specimen.hpp"
+#include "stiffness/ApparentStiffness.hpp"
+#include "stiffness/StiffnessRun.hpp"
 #include "stroma/base/Memory.hpp"
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/image/labels/MeanWidth.hpp"
@@ -104,6 +106,15 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
     log.note("the factors of Preconditioner = Direct come on top; they grow fast with the grid");
 }
 
+/// What is solved, or the first set of load cases of a stiffness.
+mechanics::Problem problem_to_check(const base::Communicator& communicator, const Deck& deck,
+                                    const Specimen& specimen, base::Log& log) {
+  if (!asks_for_stiffness(deck.parameters)) return problem_of(deck, specimen);
+  const mechanics::UniformBoundary first =
+      possible_boundaries(deck, solid_shares_of_faces(communicator, specimen), log).front().second;
+  return problem_of(deck, specimen, first, mechanics::load_cases(first).front());
+}
+
 }  // namespace
 
 void check_command(const base::Communicator& communicator, const Deck& deck, base::Log& log) {
@@ -116,7 +127,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
 
   for (const std::string& line : describe_rig(deck.parameters)) log.line("rig         " + line);
   const mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
-                                           problem_of(deck, specimen));
+                                           problem_to_check(communicator, deck, specimen, log));
   std::int64_t filled = 0;
   const auto flags = balance.body().filled_elements(grid::lattice_under(specimen.partition));
   for (std::size_t e = 0; e < flags.extent(0); ++e) filled += flags(e);

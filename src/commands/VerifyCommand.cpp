@@ -11,6 +11,7 @@
 #include "run/Checkpoint.hpp"
 #include "run/HistoryFigures.hpp"
 #include "run/MovingSupports.hpp"
+#include "stiffness/StiffnessRun.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
 #include "stroma/output/files/RunFolder.hpp"
@@ -205,6 +206,7 @@ void verify_command(const base::Communicator& communicator, const std::string& f
   base::collectively(communicator, [&] {
     if (!std::filesystem::is_regular_file(files.deck()))
       throw base::InputError("'" + folder + "' is no folder of results: it has no deck.xml");
+    refuse_stiffness_folder(folder, "verify");
     deck = read_deck(files.deck(), {});
   });
   const Checkpoint checkpoint(communicator, files.checkpoint(), *deck);

@@ -187,6 +187,10 @@ FitPlan plan_fit(const base::Communicator& communicator, const std::string& fit_
     check_values(*plan, findings);
     findings.throw_if_any();
     start = deck_with(*plan, starts(*plan));
+    if (asks_for_stiffness(start->parameters)) {
+      findings.add("Base Deck", "Rig|Kind = Stiffness has no measured forces to fit");
+      findings.throw_if_any();
+    }
     plan->files = input_files(*start);
     plan->files.push_back(fit_deck);
     read_points(*plan, *start, findings);

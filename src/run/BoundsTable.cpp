@@ -2,10 +2,9 @@
 
 #include "run/BoundsTable.hpp"
 
-#include <cstddef>
+#include <algorithm>
 
 #include "stroma/base/Log.hpp"
-#include "stroma/material/Bounds.hpp"
 
 namespace stroma {
 namespace {
@@ -18,20 +17,6 @@ std::string entry(double modulus, double of_one) {
   return format("%.4g Pa %+.2f %%", modulus, 100.0 * (modulus / of_one - 1.0));
 }
 
-/// The lower bounds of a mixture of the softest and the upper ones of one of the stiffest: both grow
-/// with the moduli.
-material::MixtureBounds between(const material::MixtureBounds& soft,
-                                const material::MixtureBounds& stiff) {
-  material::MixtureBounds bounds = stiff;
-  for (Bounds material::MixtureBounds::*of :
-       {&material::MixtureBounds::shear, &material::MixtureBounds::bulk,
-        &material::MixtureBounds::young}) {
-    (bounds.*of).reuss = (soft.*of).reuss;
-    (bounds.*of).lower = (soft.*of).lower;
-  }
-  return bounds;
-}
-
 std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one) {
   std::string line = format("            %-18s", modulus);
   for (double Bounds::*bound : {&Bounds::reuss, &Bounds::lower, &Bounds::upper, &Bounds::voigt})
@@ -41,37 +26,64 @@ std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one)
 
 }  // namespace
 
+Mixture mixture_of(const material::NamedMaterials& materials, const std::vector<double>& shares,
+                   const std::vector<material::SmallStrainModuli>& extremes) {
+  const std::vector<material::SmallStrainModuli> moduli = material::moduli_of(materials);
+  const bool varies = !extremes.empty();
+  Mixture mixture;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    if (!(shares[m] > 0.0)) continue;
+    mixture.soft.push_back({shares[m], varies ? extremes[2 * m] : moduli[m]});
+    mixture.stiff.push_back({shares[m], varies ? extremes[2 * m + 1] : moduli[m]});
+    mixture.which.push_back(m);
+  }
+  return mixture;
+}
+
+material::MixtureBounds bounds_of(const Mixture& mixture, bool plane_strain) {
+  const auto of_phases =
+      plane_strain ? material::bounds_in_plane_strain : material::bounds_in_space;
+  const material::MixtureBounds soft = of_phases(mixture.soft);
+  material::MixtureBounds bounds = of_phases(mixture.stiff);
+  for (Bounds material::MixtureBounds::*of :
+       {&material::MixtureBounds::shear, &material::MixtureBounds::bulk,
+        &material::MixtureBounds::young}) {
+    (bounds.*of).reuss = (soft.*of).reuss;
+    (bounds.*of).lower = (soft.*of).lower;
+  }
+  return bounds;
+}
+
+bool are_isotropic(const material::NamedMaterials& materials) {
+  return std::none_of(materials.begin(), materials.end(),
+                      [](const auto& named) { return named.second.fibers.has_value(); });
+}
+
 std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<double>& shares,
                                       const std::vector<material::SmallStrainModuli>& extremes,
                                       bool plane_strain, bool has_empty_space) {
-  for (const auto& named : materials)
-    if (named.second.fibers) return {};  // bounds are those of isotropic materials
-  const std::vector<material::SmallStrainModuli> moduli = material::moduli_of(materials);
-  std::vector<material::Phase> soft, stiff;
-  std::string mixture;
+  if (!are_isotropic(materials)) return {};
+  const Mixture mixture = mixture_of(materials, shares, extremes);
+  if (mixture.which.empty() || (mixture.which.size() < 2 && extremes.empty())) return {};
   double total = 0.0;
   for (const double share : shares) total += share;
-  std::size_t one = materials.size();  // the material that the gains refer to
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    if (!(shares[m] > 0.0)) continue;
-    const bool varies = !extremes.empty();
-    soft.push_back({shares[m], varies ? extremes[2 * m] : moduli[m]});
-    stiff.push_back({shares[m], varies ? extremes[2 * m + 1] : moduli[m]});
-    mixture += format("%s%.4f %s", mixture.empty() ? "" : " + ", shares[m] / total,
-                      materials[m].first.c_str());
-    if (one == materials.size() || materials[m].second.label == 0) one = m;
+  std::string description;
+  std::size_t one = mixture.which.front();  // the material that the gains refer to
+  for (const std::size_t m : mixture.which) {
+    description += format("%s%.4f %s", description.empty() ? "" : " + ", shares[m] / total,
+                          materials[m].first.c_str());
+    if (materials[m].second.label == 0) one = m;
   }
-  if (soft.size() < 2 && extremes.empty()) return {};
 
-  const auto bounds_of =
-      plane_strain ? material::bounds_in_plane_strain : material::bounds_in_space;
-  const material::MixtureBounds bounds = between(bounds_of(soft), bounds_of(stiff)),
-                                alone = bounds_of({{1.0, moduli[one]}});
+  const material::Phase alone_phase{1.0, material::moduli_of(materials)[one]};
+  const material::MixtureBounds bounds = bounds_of(mixture, plane_strain),
+                                alone = bounds_of({{alone_phase}, {alone_phase}, {}}, plane_strain);
   std::vector<std::string> lines{
       format("bounds      of small strain, %s, and gain over %s",
              plane_strain ? "in plane strain" : "in space", materials[one].first.c_str()),
-      "            " + mixture + (has_empty_space ? " of the solid; empty space not counted" : "")};
+      "            " + description +
+          (has_empty_space ? " of the solid; empty space not counted" : "")};
   std::string head = format("            %-18s", "");
   for (const char* name : {"Reuss", "Hashin-Shtrikman -", "Hashin-Shtrikman +", "Voigt"})
     head += format("  %18s", name);

@@ -11,7 +11,9 @@
 #include "stroma/base/FileContent.hpp"
 #include "stroma/deck/PlainText.hpp"
 #include "stroma/material/Models.hpp"
+#include "stroma/mechanics/problem/StiffnessCases.hpp"
 #include "stroma/output/OutputFiles.hpp"
+#include "stroma/output/files/RunFolder.hpp"
 #include "stroma/sections/BoundaryConditionsSection.hpp"
 #include "stroma/sections/ExternalForcesSection.hpp"
 #include "stroma/sections/GridSection.hpp"
@@ -31,6 +33,10 @@ mechanics::LoadCurve curve_named(const DeckParameters& p, const std::optional<st
   for (const auto& curve : p.load_curves.curves)
     if (name == curve.first) return mechanics::load_curve(curve.second, p.loading.seconds());
   return {};
+}
+
+bool asks_for_stiffness(const DeckParameters& p) {
+  return p.rig && p.rig->kind == mechanics::stiffness_rig;
 }
 
 namespace {
@@ -114,6 +120,42 @@ void refuse_what_inertia_lacks(const DeckParameters& p, deck::Findings& findings
         "Grid|Deformation Gradient",
         "\"Projected Displacement\" has no motion; admissible with Loading|Inertia = true: "
         "\"Incremental\"");
+}
+
+/// A stiffness is that of small strain about the unloaded state, in space, with hats.
+void refuse_what_stiffness_has_not(const DeckParameters& p, deck::Findings& findings) {
+  if (!asks_for_stiffness(p)) return;
+  const std::string with = " with Rig|Kind = Stiffness";
+  const auto refuse = [&](bool is_there, const std::string& where, const std::string& why) {
+    if (is_there) findings.add(where, why);
+  };
+  const std::string no_steps = "is not used" + with + ", which has no load steps";
+  refuse(p.loading.steps.has_value(), "Loading|Steps", no_steps);
+  refuse(p.loading.times.has_value(), "Loading|Times [s]", no_steps);
+  refuse(p.loading.duration.has_value(), "Loading|Duration [s]", no_steps);
+  refuse(p.loading.inertia, "Loading|Inertia", no_steps);
+  refuse(!p.load_curves.curves.empty(), "Load Curves", no_steps);
+  refuse(p.output.image_stacks.has_value(), "Output|Image Stacks", no_steps);
+  refuse(p.output.vtkhdf, "Output|VTKHDF", no_steps);
+  refuse(!p.external_forces.forces.empty(), "External Forces",
+         "are not used" + with + ", whose load cases are its own");
+  refuse(p.grid.reset, "Grid|Reset", "found true; admissible" + with + ": false");
+  refuse(p.grid.plane_strain, "Grid|Plane Strain", "found true; admissible" + with + ": false");
+  refuse(p.grid.shape_functions != shape::ShapeFunctions::linear, "Grid|Shape Functions",
+         "admissible" + with + ": Linear");
+  refuse(p.grid.deformation_gradient != mechanics::DeformationGradient::incremental,
+         "Grid|Deformation Gradient", "admissible" + with + ": Incremental");
+  for (const auto& [name, material] : p.materials.materials) {
+    const std::string where = "Materials|" + name;
+    refuse(material.viscosity.has_value(), where + "|Viscosity",
+           "has no one stiffness; admissible" + with + ": none");
+    refuse(material.active_stress.has_value(), where + "|Active Stress",
+           "does not act on the unloaded state; admissible" + with + ": none");
+    refuse(material.growth.has_value(), where + "|Growth",
+           "does not act on the unloaded state; admissible" + with + ": none");
+    refuse(material::is_pressure(material), where + "|Model",
+           "\"Pressure\" has no stiffness; admissible" + with + ": any other, or no material");
+  }
 }
 
 /// Gives conditions and forces the curves that they name.
@@ -203,6 +245,7 @@ deck::Section<DeckParameters> deck_section() {
   section.check(refuse_viscosity_without_time);
   section.check(refuse_displacement_images_with_reset);
   section.check(refuse_what_inertia_lacks);
+  section.check(refuse_what_stiffness_has_not);
   section.check(refuse_mean_without_energy_of_volume);
   section.check([](const DeckParameters& p, deck::Findings& findings) {
     for (const auto& [name, force] : p.external_forces.forces) {
@@ -231,8 +274,28 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
   return {std::move(document), std::move(parameters), base::file_content(path), overrides};
 }
 
+namespace {
+
+std::vector<std::string> describe_load_cases(const mechanics::RigParameters& rig) {
+  std::vector<std::string> lines{rig.kind + ", that is, load cases of unit strains:"};
+  for (const auto& [name, boundary] : mechanics::wanted_boundaries(rig))
+    for (const mechanics::LoadCases& cases : mechanics::load_cases(boundary)) {
+      std::string line = "  " + name + ":";
+      for (const int unit : cases.units) line += " " + mechanics::name_of_unit(unit);
+      line += cases.conditions.empty() ? "; nothing is held" : "; as in a uniform strain are";
+      for (const auto& [face, condition] : cases.conditions)
+        line += (&face == &cases.conditions.front().first ? " " : ", ") + condition.components +
+                " of " + (*condition.face == mechanics::Face::all ? "all faces" : face);
+      lines.push_back(line);
+    }
+  return lines;
+}
+
+}  // namespace
+
 std::vector<std::string> describe_rig(const DeckParameters& parameters) {
   if (!parameters.rig) return {};
+  if (asks_for_stiffness(parameters)) return describe_load_cases(*parameters.rig);
   std::vector<std::string> lines{parameters.rig->kind + ", that is, Boundary Conditions:"};
   const deck::Section<mechanics::BoundaryConditionsParameters> section =
       sections::boundary_conditions_section();
@@ -258,7 +321,8 @@ std::vector<std::string> input_files(const Deck& deck) {
 }
 
 std::vector<std::string> run_files(const Deck& deck) {
-  return output::run_files(deck.parameters.output);
+  return asks_for_stiffness(deck.parameters) ? output::stiffness_files()
+                                             : output::run_files(deck.parameters.output);
 }
 
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
@@ -266,8 +330,10 @@ Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {
   for_each_image_file(parameters, [&](const std::string&, std::string& file) {
     file = absolute(deck.document, file);
   });
-  parameters.rig.reset();
-  if (!parameters.loading.times) parameters.loading.steps = parameters.loading.equal_steps();
+  if (!asks_for_stiffness(parameters)) {
+    parameters.rig.reset();
+    if (!parameters.loading.times) parameters.loading.steps = parameters.loading.equal_steps();
+  }
   return deck::filled(deck_section(), parameters);
 }
 

@@ -48,6 +48,9 @@ struct DeckParameters {
 mechanics::LoadCurve curve_named(const DeckParameters& parameters,
                                  const std::optional<std::string>& name);
 
+/// Whether the deck asks for a stiffness (Rig|Kind = Stiffness) instead of load steps.
+bool asks_for_stiffness(const DeckParameters& parameters);
+
 /// Everything a deck may say; the reader, the deck reference and deck.xml follow from it.
 deck::Section<DeckParameters> deck_section();
 
@@ -74,12 +77,12 @@ std::vector<std::string> input_files(const Deck& deck);
 /// The files that its run writes.
 std::vector<std::string> run_files(const Deck& deck);
 
-/// The conditions that the deck's rig stands for, a line each after one that names it; none without
-/// a rig.
+/// The conditions that the deck's rig stands for, or the load cases of a stiffness, a line each after
+/// one that names it; none without a rig.
 std::vector<std::string> describe_rig(const DeckParameters& parameters);
 
-/// The deck as run, every default filled in, its rig as the conditions that it stands for, and the
-/// image's file name absolute, so that it can be run again from any folder.
+/// The deck as run, every default filled in, its rig as the conditions that it stands for (but for a
+/// stiffness), and the image's file name absolute, so that it can be run again from any folder.
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck);
 
 /// Mistakes that show only once the image is read, as mistakes of the deck: a line that starts with

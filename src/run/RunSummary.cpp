@@ -83,6 +83,8 @@ void print_steps(base::Log& log, const std::vector<output::HistoryRow>& rows,
   }
 }
 
+}  // namespace
+
 void print_costs(base::Log& log, const base::Communicator& communicator, const Deck& deck,
                  const grid::Partition& partition) {
   std::string stages = "\ntime";
@@ -95,8 +97,6 @@ void print_costs(base::Log& log, const base::Communicator& communicator, const D
       solver::describe_traffic(communicator, partition, deck.parameters.solver.preconditioner);
   if (!exchange.empty()) log.line(exchange);
 }
-
-}  // namespace
 
 void print_summary(base::Log& log, const base::Communicator& communicator, const Deck& deck,
                    const Specimen& specimen, const std::vector<output::HistoryRow>& rows,

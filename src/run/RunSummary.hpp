@@ -30,4 +30,8 @@ void print_summary(base::Log& log, const base::Communicator& communicator, const
                    const std::vector<output::MovingSupport>& moving,
                    const mechanics::MomentumBalance& balance, const grid::Vector& u);
 
+/// What it took of time, memory and messages. Collective.
+void print_costs(base::Log& log, const base::Communicator& communicator, const Deck& deck,
+                 const grid::Partition& partition);
+
 }  // namespace stroma

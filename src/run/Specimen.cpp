@@ -50,6 +50,7 @@ image::FaceReach reach_of_conditions(const DeckParameters& p, const grid::Grid& 
     if (condition.face) faces.push_back(*condition.face);
   for (const auto& [name, force] : p.external_forces.forces)
     if (force.face) faces.push_back(*force.face);
+  if (asks_for_stiffness(p)) faces.push_back(mechanics::Face::all);
   const int elements = grid::grid_for(p.grid.shape_functions, body).width - 1;
   image::FaceReach reach{};
   for (const mechanics::Face face : faces)

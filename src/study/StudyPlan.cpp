@@ -128,6 +128,9 @@ void read_members(StudyPlan& plan, const std::string& output_folder) {
       overrides.push_back("Title=" + own_title + (own_title.empty() ? "" : ": ") + member.name);
     try {
       plan.decks.push_back(read_deck(base_deck, overrides));
+      if (asks_for_stiffness(plan.decks.back().parameters))
+        throw base::InputError(
+            "Rig|Kind = Stiffness has no load steps to compare; run each deck by itself");
       const auto [family, is_new] =
           families.emplace(apart_from_element_size(plan.decks.back()), families.size());
       plan.family.push_back(family->second);

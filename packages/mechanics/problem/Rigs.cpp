@@ -108,6 +108,8 @@ NamedConditions torsion(const RigParameters& p) {
   return {{"held", hold(opposite(*p.face), "xyz")}, {"moved", turned}};
 }
 
+NamedConditions none(const RigParameters&) { return {}; }
+
 }  // namespace
 
 const std::vector<Rig>& rigs() {
@@ -142,7 +144,14 @@ const std::vector<Rig>& rigs() {
       {"Torsion",
        {"Face", "Angle [deg]", "Center [um]"},
        "Face turns about its normal through Center [um], the opposite face is held.",
-       torsion}};
+       torsion},
+      {stiffness_rig,
+       {"Boundary"},
+       "six load cases of small strain, for the 6 x 6 stiffness of the specimen as a whole; there "
+       "are no load steps.",
+       none,
+       false,
+       false}};
   return table;
 }
 

@@ -31,6 +31,8 @@ struct RigParameters {
   std::optional<double> angle;  ///< of Torsion, right-handed about the axis [deg]
   std::optional<std::array<double, 3>>
       center;  ///< on the axis of Torsion [um]; else the box's middle
+  std::optional<std::vector<std::string>>
+      boundary;  ///< of Stiffness, names of uniform_boundaries(); else all
 
   std::optional<std::string> load_curve;  ///< of all that moves
   std::optional<ImposedBy> imposed_by;    ///< of all conditions
@@ -44,6 +46,7 @@ struct Rig {
   std::string meaning;             ///< one sentence for the deck reference
   NamedConditions (*conditions)(const RigParameters&);
   bool compresses = false;  ///< strain and displacement must be negative
+  bool has_steps = true;    ///< takes Load Curve, Imposed By and Penalty Factor
 };
 
 /// All kinds. Conditions are called `held` and `moved`, in Biaxial with the axis behind it, and
@@ -52,6 +55,10 @@ const std::vector<Rig>& rigs();
 
 /// The kind of a name of the table.
 const Rig& rig_of(const std::string& name);
+
+/// The rig whose conditions change from load case to load case (StiffnessCases.hpp): it has none of
+/// its own.
+constexpr const char* stiffness_rig = "Stiffness";
 
 /// The conditions of a rig whose parameters were checked.
 NamedConditions conditions_of(const RigParameters& rig);

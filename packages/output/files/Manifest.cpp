@@ -126,7 +126,8 @@ bool Manifest::begins_as_written(const std::string& file_path) {
   if (ending == ".csv")
     return is("step,load,") || is("step,time,") || is("material,") || is("label_material,") ||
            is("object,") || is("member,") || is("series,") || is("run,") || is("parameter,") ||
-           is("measurement,") || is("load,") || is("input,");
+           is("measurement,") || is("load,") || is("input,") || is("boundary,");
+  if (ending == ".json") return is("{\n  \"stiffness\"");
   if (ending == ".series") return is("{\n \"file-series-version\"");
   if (ending == ".html") return is("<!doctype html>\n<!-- A report of Stroma");
   if (ending == ".png") return is("\x89PNG");

@@ -102,6 +102,10 @@ std::vector<std::string> run_files(bool pictures, bool report, bool tables) {
   return names;
 }
 
+std::vector<std::string> stiffness_files() {
+  return {"deck.xml", "log.txt", "stiffness.csv", "stiffness.json"};
+}
+
 std::vector<std::string> study_files() {
   std::vector<std::string> names{"study.csv", "convergence.csv", "log.txt", "report.html",
                                  "report.html.new"};

@@ -20,6 +20,8 @@ std::vector<std::string> table_files();
 /// Names of the files that a run leaves in its folder; with pictures, their data and scripts too;
 /// with a report or tables, these.
 std::vector<std::string> run_files(bool pictures, bool report, bool tables);
+/// Of a run that finds a stiffness.
+std::vector<std::string> stiffness_files();
 /// Of a study, beside the folders of its members.
 std::vector<std::string> study_files();
 /// Of a fit, beside the folders of its members.

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "stiffness/ApparentStiffness.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
+#include "stroma/mechanics/terms/UnitLoads.hpp"
+#include "stroma/solver/RefinedSolve.hpp"
+
+namespace stroma {
+namespace {
+
+using mechanics::UniformBoundary;
+
+/// Residual of the linear problems, by their right-hand sides.
+constexpr double tolerance = 1e-11;
+
+/// Column l of stress and strain, of a solved case.
+void find_means(const mechanics::Body& body, const grid::Vector& u, bool knows_strain, int unit,
+                ApparentStiffness& result) {
+  const grid::Grid& box = body.problem().body;
+  const double volume = box.length(0) * box.length(1) * box.length(2);
+  grid::Vector force(u.getMap());
+  mechanics::elastic_force(body, u, force);
+  for (int k = 0; k < 6; ++k) {
+    result.stress(k, unit) = mechanics::unit_displacement(body, k).dot(force) / volume;
+    result.strain(k, unit) =
+        knows_strain ? mechanics::unit_traction(body, k).dot(u) / volume : (k == unit ? 1.0 : 0.0);
+  }
+}
+
+/// Column l of the mean stiffness.
+void find_voigt(const mechanics::Body& body, int unit, ApparentStiffness& result) {
+  const grid::Grid& box = body.problem().body;
+  const double volume = box.length(0) * box.length(1) * box.length(2);
+  const grid::Vector v = mechanics::unit_displacement(body, unit);
+  grid::Vector force(v.getMap());
+  mechanics::elastic_force(body, v, force);
+  for (int k = 0; k < 6; ++k)
+    result.voigt(k, unit) = mechanics::unit_displacement(body, k).dot(force) / volume;
+}
+
+void solve_cases(const Deck& deck, mechanics::MomentumBalance& balance, UniformBoundary boundary,
+                 const mechanics::LoadCases& cases, bool knows_strain, ApparentStiffness& result) {
+  const solver::SolverParameters& parameters = deck.parameters.solver;
+  solver::choose_tangent(parameters, balance);
+  solver::LinearSolver linear(parameters, balance);
+  const grid::Vector at_rest(balance.owned_map());
+  solver::linearize(linear, balance, at_rest);
+  grid::Vector u(balance.owned_map());
+  for (const int unit : cases.units) {
+    const grid::Vector load = mechanics::unit_load(balance.body(), boundary, unit);
+    solver::solve_refined(linear, balance, at_rest, load, u, tolerance);
+    if (boundary != UniformBoundary::traction)
+      u.update(1.0, mechanics::unit_displacement(balance.body(), unit), 1.0);
+    find_means(balance.body(), u, knows_strain, unit, result);
+    find_voigt(balance.body(), unit, result);
+  }
+  result.unknowns += balance.supports().unknowns();
+  result.iterations += linear.total_iterations();
+}
+
+}  // namespace
+
+mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen, UniformBoundary boundary,
+                              const mechanics::LoadCases& cases) {
+  mechanics::Problem problem = problem_of(deck, specimen);
+  problem.conditions = cases.conditions;
+  problem.terms.emplace_back([boundary, units = cases.units](const mechanics::Body& body) {
+    return std::make_unique<mechanics::UnitLoads>(body, boundary, units);
+  });
+  return problem;
+}
+
+std::array<double, 6> solid_shares_of_faces(const base::Communicator& communicator,
+                                            const Specimen& specimen) {
+  const grid::Grid& box = specimen.body;
+  const auto x =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), specimen.particles.position);
+  const auto V =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), specimen.particles.volume);
+  std::array<double, 6> volumes{};
+  for (std::size_t p = 0; p < V.extent(0); ++p)
+    for (std::size_t face = 0; face < 6; ++face) {
+      const std::size_t d = face / 2;
+      const double at = box.origin[d] + (face % 2 == 1 ? box.length(static_cast<int>(d)) : 0.0);
+      if (std::abs(x(p, d) - at) <= specimen.layout.outer_thickness[d]) volumes[face] += V(p);
+    }
+  communicator.sum_all(volumes.data(), volumes.size());
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t d = face / 2;
+    volumes[face] /= specimen.layout.outer_thickness[d] *
+                     box.length(static_cast<int>((d + 1) % 3)) *
+                     box.length(static_cast<int>((d + 2) % 3));
+  }
+  return volumes;
+}
+
+bool are_solid(const std::array<double, 6>& shares) {
+  return *std::min_element(shares.begin(), shares.end()) > 1.0 - 1e-9;
+}
+
+ApparentStiffness apparent_stiffness(
+    const base::Communicator& communicator, const Deck& deck, const Specimen& specimen,
+    UniformBoundary boundary,
+    const std::function<void(const mechanics::MomentumBalance&)>& report) {
+  const base::Stage stage("stiffness");
+  const bool is_solid = are_solid(solid_shares_of_faces(communicator, specimen));
+  if (boundary == UniformBoundary::traction && !is_solid)
+    throw std::logic_error("a traction cannot act where empty space cuts the surface");
+  ApparentStiffness result;
+  try {
+    for (const mechanics::LoadCases& cases : mechanics::load_cases(boundary)) {
+      mechanics::MomentumBalance balance(communicator, specimen.partition, specimen.particles,
+                                         problem_of(deck, specimen, boundary, cases));
+      if (report) report(balance);
+      solve_cases(deck, balance, boundary, cases, is_solid, result);
+    }
+  } catch (const base::StepRejected& failure) {
+    throw base::RunError(std::string("the load cases cannot be solved: ") + failure.what());
+  }
+  const Matrix6 found = result.stress * result.strain.inverse();
+  const Matrix6 kelvin = to_kelvin(found);
+  result.symmetry_error = (kelvin - kelvin.transpose()).norm() / kelvin.norm();
+  result.stiffness = 0.5 * (found + found.transpose());
+  return result;
+}
+
+}  // namespace stroma
