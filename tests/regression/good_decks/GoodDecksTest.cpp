@@ -19,6 +19,7 @@
 
 #include "stroma/material/AnyLaw.hpp"
 #include "support/ExodusReader.hpp"
+#include "support/TableRows.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
@@ -511,13 +512,59 @@ TEST(PressedVesselDeck, WidensAndReturns) {
     EXPECT_NEAR(history["left.reaction_x"][s], -history["right.reaction_x"][s], 0.02);
 }
 
+// V-STIFF-4. The figures of its README.
+TEST(StiffnessDecks, HaveTheModuliOfTheirTables) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& name) {
+    const fs::path deck = decks / "19_scaffold_stiffness" / (name + ".yaml");
+    const Outcome outcome =
+        run_stroma(folder.path(), "run " + quoted(deck) + " --quiet -o " + name);
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    std::map<std::string, double> table;
+    for (const auto& row : rows_of(folder / name / "stiffness.csv"))
+      table[row.at("boundary") + "|" + row.at("tensor") + "|" + row.at("figure")] =
+          std::stod(row.at("value"));
+    return table;
+  };
+  const auto scaffold = run("scaffold");
+  const auto is_near = [](double value, double table) {
+    return std::abs(value - table) < 1e-3 * std::abs(table);
+  };
+  EXPECT_PRED2(is_near, scaffold.at("Uniform Displacement|specimen|E_x"), 31.17e6);
+  EXPECT_PRED2(is_near, scaffold.at("Uniform Displacement|specimen|G_xy"), 7.013e6);
+  EXPECT_PRED2(is_near, scaffold.at("Mixed|specimen|E_y"), 27.22e6);
+  EXPECT_PRED2(is_near, scaffold.at("Mixed|specimen|E_z"), 25.55e6);
+  EXPECT_PRED2(is_near, scaffold.at("Mixed|specimen|G_yz"), 3.369e6);
+  EXPECT_PRED2(is_near, scaffold.at("Mixed|specimen|G_xy"), 1.357e6);
+  EXPECT_LT(scaffold.at("Mixed|specimen|symmetry_error"), 1e-9);
+
+  auto vessels = run("vessels");
+  const std::vector<std::string> order{"bounds|Hashin-Shtrikman -", "Uniform Traction|isotropic",
+                                       "Mixed|isotropic", "Uniform Displacement|isotropic",
+                                       "bounds|Hashin-Shtrikman +"};
+  for (const char* modulus : {"|K", "|G"})
+    for (std::size_t n = 1; n < order.size(); ++n)
+      EXPECT_LT(vessels.at(order[n - 1] + modulus), vessels.at(order[n] + modulus)) << order[n];
+  EXPECT_PRED2(is_near, vessels.at("Mixed|isotropic|K"), 3358.0);
+  EXPECT_PRED2(is_near, vessels.at("Mixed|isotropic|G"), 877.6);
+}
+
 TEST(InputDecks, AllOfThemAreTested) {
   // 06_resolution_study is run by tests/regression/study, that of 07_paper_study in part by
   // tests/verification/paper_study, 14_fit_vessel_modulus by tests/verification/fit.
-  std::vector<std::string> tested{
-      "04_simple_shear", "06_resolution_study",       "09_tissue_laws",    "10_ramp_and_hold",
-      "11_fiber_gel",    "12_contracting_cell",       "13_growing_vessel", "14_fit_vessel_modulus",
-      "15_rigs",         "16_measured_displacements", "17_swing",          "18_pressed_vessel"};
+  std::vector<std::string> tested{"04_simple_shear",
+                                  "06_resolution_study",
+                                  "09_tissue_laws",
+                                  "10_ramp_and_hold",
+                                  "11_fiber_gel",
+                                  "12_contracting_cell",
+                                  "13_growing_vessel",
+                                  "14_fit_vessel_modulus",
+                                  "15_rigs",
+                                  "16_measured_displacements",
+                                  "17_swing",
+                                  "18_pressed_vessel",
+                                  "19_scaffold_stiffness"};
   for (const GoodDeck& deck : stretched) tested.push_back(deck.folder);
   std::vector<std::string> present;
   for (const auto& entry : fs::directory_iterator(decks))
