@@ -58,15 +58,16 @@ std::int64_t planes_of_band(const StackHeader& header);
 /// A TIFF file that is an OME-TIFF and a hyperstack of ImageJ in one: a page a plane, channels
 /// fastest, then z. The first page has two descriptions, OME-XML and then ImageJ's: readers of OME
 /// take the first, ImageJ the last. Channels are named in OME-XML and, as labels of slices, in
-/// ImageJ's tags. Above 4 GB a BigTIFF. Ranks pack their planes, rank 0 writes them. Collective.
+/// ImageJ's tags. A BigTIFF where it may become larger than a classic TIFF can be. Ranks pack their planes, rank 0 writes them. Collective.
 /// \param communicator  of the ranks whose volumes it takes
 /// \param path          of the file
 /// \param header        what it holds, and how large
 /// \param compression   none, zlib or zstd; of a strip of at most 4 MiB
+/// \param most_classic  bytes of values and pages, before compression, of a classic TIFF
 /// \throws base::RunError on all ranks when the file cannot be made
 std::unique_ptr<StackWriter> tiff_stack(const base::Communicator& communicator,
                                         const std::string& path, const StackHeader& header,
-                                        Compression compression);
+                                        Compression compression, double most_classic = 4.0e9);
 
 /// A folder that is an OME-Zarr of version 0.4 (Zarr 2): axes c, z, y, x; level 0 and coarser ones,
 /// each with half the voxels along x and y, their mean without what is empty; of labels one of

@@ -72,11 +72,11 @@ bool rename_carrier(const std::string& path, bool is_big) {
 class TiffStack : public StackWriter {
  public:
   TiffStack(const base::Communicator& communicator, const std::string& path,
-            const StackHeader& header, Compression compression)
+            const StackHeader& header, Compression compression, double most_classic)
       : communicator_(communicator),
         header_(header),
         compression_(compression),
-        is_big_(bytes_of(header) > 4.0e9),
+        is_big_(bytes_of(header) > most_classic),
         rows_(std::clamp<std::int64_t>(
             strip_bytes / (header.size[0] * static_cast<std::int64_t>(sizeof(float))), 1,
             header.size[1])) {
@@ -216,8 +216,8 @@ class TiffStack : public StackWriter {
 
 std::unique_ptr<StackWriter> tiff_stack(const base::Communicator& communicator,
                                         const std::string& path, const StackHeader& header,
-                                        Compression compression) {
-  return std::make_unique<TiffStack>(communicator, path, header, compression);
+                                        Compression compression, double most_classic) {
+  return std::make_unique<TiffStack>(communicator, path, header, compression, most_classic);
 }
 
 }  // namespace stroma::image

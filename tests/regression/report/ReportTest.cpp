@@ -181,7 +181,7 @@ TEST(Report, OfAStudyShowsAllMembersAndTheLimit) {
       2 um: {"Grid|Element Size [um]": [2.0, 2.0, 2.0]}
       1 um: {"Grid|Element Size [um]": [1.0, 1.0, 1.0]}
   Vary:
-    Materials|gel|Shear Modulus [Pa]: [500.0, 1000.0]
+    Materials|gel|Shear Modulus [Pa]: [500.0, 600.0, 700.0, 800.0, 1000.0]
 )");
   EXPECT_EQ(wrong(folder, "study out"), "");
   EXPECT_TRUE(fs::exists(folder / "out/4_um__Shear_Modulus_500.0_Pa/report.html"));
@@ -231,7 +231,9 @@ TEST(Report, DoesWithoutWhatIsGone) {
   fs::remove(folder / "run/log.txt");
   const Outcome outcome = run_stroma(folder.path(), "report run");
   EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
-  if (has_browser()) EXPECT_EQ(wrong(folder, "layout run"), "");
+  if (has_browser()) {
+    EXPECT_EQ(wrong(folder, "layout run"), "");
+  }
 }
 
 TEST(Report, OfARunThatFailedTellsHowFarItCame) {

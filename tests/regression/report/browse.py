@@ -273,10 +273,39 @@ def check_study(driver, folder):
     force = next(name for name in rows[0] if name.endswith(".force"))
     for curve, value in zip(curves, numbers(rows, force)):
         expect(near(curve["data"][-1]["y"] * unit, value, 1e-12), f"{curve['label']}: not the force of study.csv")
+    if driver.find_elements(By.ID, "force-colours"):
+        check_choices(driver, rows, len(curves))
+    if series(driver, "figures-chart"):
+        check_figures(driver, rows)
     if (folder / "bands.csv").exists():
         check_bands(driver, rows_of(folder / "bands.csv"))
     if (folder / "convergence.csv").exists():
         check_convergence(driver, rows_of(folder / "convergence.csv"))
+
+
+def choose(driver, name, value):
+    driver.execute_script("const list = document.getElementById(arguments[0]); list.value = arguments[1]; list.dispatchEvent(new Event('change'))", name, value)
+
+
+def check_choices(driver, rows, members):
+    """Of many members, those of one value may be looked at alone; each value has its colour."""
+    column = [row[1] for row in rows[1:]]
+    choose(driver, "force-only-0", column[0])
+    until(lambda: len(series(driver, "force-chart")) == column.count(column[0]), f"other members than those of {rows[0][1]} {column[0]} are drawn")
+    choose(driver, "force-only-0", "")
+    until(lambda: len(series(driver, "force-chart")) == members, "not all members come back")
+    for name in (rows[0][2], rows[0][1]):
+        choose(driver, "force-colours", name)
+        wanted = list(dict.fromkeys(row[rows[0].index(name)] for row in rows[1:]))
+        until(lambda: driver.execute_script("return Chart.getChart('force-chart').legend.legendItems.map((item) => item.text)") == wanted, f"the legend does not tell the {name}")
+
+
+def check_figures(driver, rows):
+    """Each figure that can be chosen is drawn for each member."""
+    for figure in driver.execute_script("return [...document.getElementById('figure').options].map((option) => option.value)"):
+        choose(driver, "figure", figure)
+        wanted = sorted(float(row[rows[0].index(figure)]) for row in rows[1:] if row[rows[0].index(figure)] != "")
+        until(lambda: sorted(point["y"] for one in series(driver, "figures-chart") for point in one["data"]) == wanted, f"{figure} is not drawn")
 
 
 def check_bands(driver, rows):

@@ -42,11 +42,12 @@ image::StackHeader header_of(const Size& size) {
   return header;
 }
 
-std::string write(const image::StackHeader& header, StackFormat format, Compression compression) {
+std::string write(const image::StackHeader& header, StackFormat format, Compression compression,
+                  double most_classic = 4e9) {
   const std::string path =
       folder() + (format == StackFormat::ome_tiff ? "/stack.ome.tif" : "/stack.ome.zarr");
   const auto writer = format == StackFormat::ome_tiff
-                          ? image::tiff_stack(world(), path, header, compression)
+                          ? image::tiff_stack(world(), path, header, compression, most_classic)
                           : image::zarr_stack(world(), path, header, compression);
   const std::int64_t band = image::planes_of_band(header);
   for (std::int64_t first = 0; first < header.size[2]; first += band) {
@@ -130,32 +131,59 @@ TEST(Stack, CoarserLevelsAreMeansOfWhatIsNotEmpty) {
     EXPECT_EQ(labels.plane(k)[1], static_cast<double>(value_at(2, 0, labels.first_plane + k, 2)));
 }
 
-TEST(Stack, OfTiffHasTwoDescriptions) {
-  const image::StackHeader header = header_of({13, 7, 5});
-  const std::string path = write(header, StackFormat::ome_tiff, Compression::none);
+/// Number at a place of a file of the machine's byte order.
+std::uint64_t number(const std::string& bytes, std::uint64_t at, std::size_t size) {
+  std::uint64_t value = 0;
+  std::memcpy(&value, bytes.data() + at, size);
+  return value;
+}
+
+std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  const auto number = [&](std::size_t at, int count) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, static_cast<std::size_t>(count));
-    return value;
-  };
-  const std::size_t page = number(4, 4);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The descriptions (tag 270) of the first page of a TIFF, classic or big.
+std::vector<std::string> descriptions_of(const std::string& bytes) {
+  const bool is_big = number(bytes, 2, 2) == 43;
+  const std::size_t offset = is_big ? 8 : 4, count = is_big ? 8 : 2, entry = is_big ? 20 : 12;
+  const std::uint64_t page = number(bytes, offset, offset);
   std::vector<std::string> descriptions;
-  std::uint32_t last = 0;
-  for (std::uint32_t n = 0; n < number(page, 2); ++n) {
-    const std::size_t entry = page + 2 + 12 * n;
-    const std::uint32_t tag = number(entry, 2);
+  std::uint64_t last = 0;
+  for (std::uint64_t n = 0; n < number(bytes, page, count); ++n) {
+    const std::uint64_t at = page + count + entry * n, tag = number(bytes, at, 2);
     EXPECT_GE(tag, last);  // tags ascend
     last = tag;
     if (tag == 270)
-      descriptions.push_back(bytes.substr(number(entry + 8, 4), number(entry + 4, 4) - 1));
+      descriptions.push_back(
+          bytes.substr(number(bytes, at + 4 + offset, offset), number(bytes, at + 4, offset) - 1));
   }
-  ASSERT_EQ(descriptions.size(), 2u);
-  EXPECT_EQ(descriptions[0], image::ome_xml(header));
-  EXPECT_EQ(descriptions[1], image::imagej_description(header));
-  EXPECT_NE(descriptions[0].find("Name=\"gel &amp; &quot;fibres&quot; &lt;1&gt;\""),
-            std::string::npos);
+  return descriptions;
+}
+
+TEST(Stack, OfTiffHasTwoDescriptions) {
+  const image::StackHeader header = header_of({13, 7, 5});
+  for (const double most_classic : {4e9, 1e3}) {
+    const std::string path = write(header, StackFormat::ome_tiff, Compression::none, most_classic);
+    const auto descriptions = descriptions_of(bytes_of(path));
+    ASSERT_EQ(descriptions.size(), 2u);
+    EXPECT_EQ(descriptions[0], image::ome_xml(header));
+    EXPECT_EQ(descriptions[1], image::imagej_description(header));
+    EXPECT_NE(descriptions[0].find("Name=\"gel &amp; &quot;fibres&quot; &lt;1&gt;\""),
+              std::string::npos);
+  }
+}
+
+TEST(Stack, ThatMayBecomeTooLargeForAClassicTiffIsABigOne) {
+  const image::StackHeader header = header_of({13, 7, 35});  // 3 x 35 pages of 364 bytes
+  for (const Compression compression : {Compression::none, Compression::zlib})
+    for (const bool is_big : {false, true}) {
+      const double pages = 3.0 * 35.0 * (364.0 + 512.0);
+      const std::string path =
+          write(header, StackFormat::ome_tiff, compression, is_big ? pages - 1.0 : pages);
+      EXPECT_EQ(number(bytes_of(path), 2, 2), is_big ? 43u : 42u);
+      expect_stack(path, header);
+    }
 }
 
 TEST(Stack, ThatCannotBeWrittenIsARunErrorOnAllRanks) {

@@ -34,9 +34,19 @@ function errorBars(series, colour) {
   return { label: series.label + ", errors", data, borderColor: colour, borderWidth: 1.5, pointRadius: 0, pointHitRadius: 0, isBand: true };
 }
 
+/** An axis of names, at 0, 1, ... */
+function nameAxis(title, names) {
+  const axis = chartAxis(title);
+  axis.ticks.callback = (value) => names[value];
+  return { ...axis, min: -0.5, max: names.length - 0.5, afterBuildTicks: (built) => { built.ticks = names.map((_, value) => ({ value })); } };
+}
+
+/** What the legend has: bands and errors belong to their lines, and a key of null to another's. */
+const legendLabels = (chart) => Chart.defaults.plugins.legend.labels.generateLabels(chart).map((item) => ({ ...item, text: chart.data.datasets[item.datasetIndex].key ?? item.text }));
+
 /** A chart of lines of {x, y}. series: {label, points, n (colour), dash, bare (no marks), marks (no line), errors: [half a bar],
- *  band: [lower, upper]}. */
-function lineChart(id, description, x, y, series, { low = false, yFromZero = false, legend = series.length > 1, xScale, yScale } = {}) {
+ *  band: [lower, upper], key (in the legend, instead of the label; null: not there)}. xNames: of x = 0, 1, ... */
+function lineChart(id, description, x, y, series, { low = false, yFromZero = false, legend = series.length > 1, xScale, yScale, xNames } = {}) {
   const canvas = h("canvas", { id, role: "img", "aria-label": description });
   const figure = h("figure", {}, h("div", { class: "chart" + (low ? " low" : "") }, canvas));
   const make = () => {
@@ -49,14 +59,14 @@ function lineChart(id, description, x, y, series, { low = false, yFromZero = fal
         datasets.push({ ...edge, label: s.label + ", upper", data: s.band[1], fill: "-1", backgroundColor: colour + "26" });
       }
       if (s.errors) datasets.push(errorBars(s, colour));
-      datasets.push({ label: s.label, data: s.points, borderColor: colour, backgroundColor: colour, borderDash: dashes[(s.dash || 0) % 4], showLine: !s.marks,
+      datasets.push({ label: s.label, key: s.key, data: s.points, borderColor: colour, backgroundColor: colour, borderDash: dashes[(s.dash || 0) % 4], showLine: !s.marks,
         borderWidth: 2, pointStyle: s.bare ? "line" : points[s.n % 7], pointRadius: s.bare ? 0 : 3.5, pointHitRadius: 8, stepped: s.stepped || false });
     }
     return new Chart(canvas, { type: "line", data: { datasets }, options: {
       interaction: { mode: "nearest", axis: "xy", intersect: false },
-      scales: { x: chartAxis(x, xScale, "data"), y: { ...chartAxis(y, yScale), beginAtZero: yFromZero } },
+      scales: { x: xNames ? nameAxis(x, xNames) : chartAxis(x, xScale, "data"), y: { ...chartAxis(y, yScale), beginAtZero: yFromZero } },
       plugins: {
-        legend: { display: legend, labels: { color: css("--ink"), usePointStyle: true, boxHeight: 7, filter: (item, all) => !all.datasets[item.datasetIndex].isBand } },
+        legend: { display: legend, labels: { color: css("--ink"), usePointStyle: true, boxHeight: 7, generateLabels: legendLabels, filter: ({ datasetIndex }, all) => !all.datasets[datasetIndex].isBand && all.datasets[datasetIndex].key !== null } },
         tooltip: { filter: (item) => !item.dataset.isBand, callbacks: { title: (items) => items.length ? `${x}: ${short(items[0].parsed.x)}` : "", label: (item) => `${item.dataset.label}: ${short(item.parsed.y, 6)}` } } } } });
   };
   charts.push({ make, chart: null });

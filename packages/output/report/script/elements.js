@@ -100,6 +100,12 @@ function choice(name, label, options, selected, change) {
     h("label", {}, h("input", { type: "radio", name, value, checked: value === selected, change: () => change(value) }), text)));
 }
 
+/** A list to choose from. options: [[value, text]]. */
+function select(id, label, options, selected, change) {
+  const element = h("select", { id, change: () => change(element.value) }, options.map(([value, text]) => h("option", { value, selected: value === selected }, text)));
+  return h("label", {}, label + " ", element);
+}
+
 function slider(id, text, count, value, change) {
   const input = h("input", { type: "range", id, min: 0, max: count - 1, step: 1, value, "aria-label": text });
   const shown = h("span", { class: "value quiet", id: id + "-value" });

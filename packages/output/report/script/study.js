@@ -46,27 +46,76 @@ function uncertaintySection() {
     correlations.rows.length === 0 ? null : htmlTable("Rank correlations", ["input", "Spearman's rank correlation with the force"], correlations.rows.map((row) => row.map(readable))));
 }
 
-function showStudy(main) {
-  const study = new Table(data.study), done = study.texts("status").filter((status) => status === "done").length;
-  document.getElementById("subtitle").textContent = "A study: a family of runs";
-  main.append(tiles([["Members", String(study.of)], ["Came to full load", String(done)], ["Time of all", `${short(study.column("wall_seconds").reduce((a, b) => a + (b || 0), 0), 3)} s`]]));
+/** What varies among the members and has few values: [{name, values}]. */
+function variedThings(study) {
+  return study.names.slice(1, study.names.indexOf("status")).map((name) => ({ name, values: [...new Set(study.texts(name))] })).filter(({ values }) => values.length > 1 && values.length <= 7);
+}
+
+const spaced = (folder) => folder.replaceAll("__", ", ").replaceAll("_", " ");
+
+/** The forces of all members; of many, colours and dashes tell what varies, and some may be looked at alone. */
+function memberForces(study, things) {
   const drawn = data.members.filter((member) => member.supports.length > 0), histories = drawn.map((member) => new Table(member.history));
-  if (drawn.length > 0) {
-    const forces = drawn.map((member, m) => forceAlong(member.supports[0], histories[m])), unit = forceUnit(Math.max(...forces.map(largest)));
-    const xs = drawn.map((member, m) => abscissa(member.supports[0], histories[m], member.has_time));
-    const series = drawn.map((member, m) => ({ label: member.folder.replaceAll("__", ", ").replaceAll("_", " "), n: m, dash: Math.floor(m / 7), points: xy(xs[m].values, forces[m].map((f) => f / unit.size)) }));
-    main.append(section("force", `Force against ${xs[0].what}`, lineChart("force-chart", "Force of all members", xs[0].name, `force of ${drawn[0].supports[0].name} (${unit.name})`, series, { legend: series.length > 1 && series.length <= 14 }),
-      series.length > 14 ? h("p", { class: "note" }, "Point at a curve to read which member it is.") : null));
-  }
-  const uncertainty = uncertaintySection();
-  if (uncertainty) main.append(uncertainty);
-  const convergence = convergenceSection(study);
-  if (convergence) main.append(convergence);
-  const reports = new Set(data.members.filter((member) => member.has_report).map((member) => member.folder));
-  const table = htmlTable("study.csv", study.names, study.rows.map((row) => row.map((field, c) => (c === 0 && reports.has(field) ? h("a", { href: `${encodeURIComponent(field)}/report.html` }, field) : readable(field)))), { tall: study.rows.length > 20 });
+  if (drawn.length === 0) return null;
+  const forces = drawn.map((member, m) => forceAlong(member.supports[0], histories[m])), unit = forceUnit(Math.max(...forces.map(largest)));
+  const xs = drawn.map((member, m) => abscissa(member.supports[0], histories[m], member.has_time));
+  const folders = study.texts(study.names[0]), value = (member, thing) => study.rows[folders.indexOf(member.folder)][study.names.indexOf(thing.name)];
+  const curves = drawn.map((member, m) => ({ member, label: spaced(member.folder), n: m, dash: Math.floor(m / 7), points: xy(xs[m].values, forces[m].map((f) => f / unit.size)) }));
+  const draw = (series, options) => lineChart("force-chart", "Force of all members", xs[0].name, `force of ${drawn[0].supports[0].name} (${unit.name})`, series, options), title = `Force against ${xs[0].what}`;
+  if (curves.length <= 14 || things.length === 0)
+    return section("force", title, draw(curves, { legend: curves.length > 1 && curves.length <= 14 }), curves.length > 14 ? h("p", { class: "note" }, "Point at a curve to read which member it is.") : null);
+
+  const place = new ChartPlace(), note = h("p", { class: "note" }), only = new Map();
+  let colour = things[0];
+  const redraw = () => {
+    const dashed = things.find((thing) => thing !== colour && !only.has(thing)), told = new Set();
+    place.show(draw(curves.filter(({ member }) => [...only].every(([thing, wanted]) => value(member, thing) === wanted)).map((curve) => {
+      const of = value(curve.member, colour), key = told.has(of) ? null : of;
+      told.add(of);
+      return { ...curve, key, n: colour.values.indexOf(of), dash: dashed ? dashed.values.indexOf(value(curve.member, dashed)) : 0 };
+    }), { legend: true }));
+    note.textContent = `Colours tell the ${colour.name}${dashed ? `, dashes the ${dashed.name} (${dashed.values.join("; ")})` : ""}. Point at a curve to read which member it is.`;
+  };
+  redraw();
+  const choose = (thing, wanted) => { if (wanted === "") only.delete(thing); else only.set(thing, wanted); redraw(); };
+  return section("force", title, h("div", { class: "controls" },
+    select("force-colours", "Colours tell", things.map(({ name }) => [name, name]), colour.name, (name) => { colour = things.find((thing) => thing.name === name); redraw(); }),
+    things.map((thing, n) => select(`force-only-${n}`, thing.name, [["", "all"], ...thing.values.map((one) => [one, one])], "", (wanted) => choose(thing, wanted)))), place.element, note);
+}
+
+/** A figure of study.csv against what varies. */
+function memberFigures(study, things) {
+  const figures = study.names.slice(study.names.indexOf("status") + 2).filter((name) => study.column(name).filter(Number.isFinite).length > 1);
+  if (things.length === 0 || figures.length === 0) return null;
+  const place = new ChartPlace(), chosen = { figure: figures.includes("gain") ? "gain" : figures[0], along: things[0].name, colours: (things[1] || things[0]).name };
+  const thingOf = (name) => things.find((thing) => thing.name === name);
+  const redraw = () => {
+    const along = thingOf(chosen.along), colours = thingOf(chosen.colours), heights = study.column(chosen.figure), where = study.texts(along.name), told = study.texts(colours.name);
+    const series = colours.values.map((name, n) => ({ label: name, n, marks: true, points: heights.map((y, row) => ({ x: along.values.indexOf(where[row]) + 0.12 * (n - 0.5 * (colours.values.length - 1)), y, of: told[row] })).filter((point) => point.of === name && Number.isFinite(point.y)) }));
+    place.show(lineChart("figures-chart", `${chosen.figure} of all members against ${along.name}, colours by ${colours.name}`, along.name, chosen.figure, series, { xNames: along.values, legend: true }));
+  };
+  redraw();
+  const names = things.map(({ name }) => [name, name]), pick = (id, label, of, options) => select(id, label, options, chosen[of], (value) => { chosen[of] = value; redraw(); });
+  return section("figures", "Figures of the members", h("div", { class: "controls" }, pick("figure", "Figure", "figure", figures.map((name) => [name, name])), pick("figure-along", "against", "along", names), pick("figure-colours", "Colours tell", "colours", names)),
+    place.element, h("p", { class: "note" }, "Figures at full load, in the units of study.csv: forces in pN, energies in aJ, stresses in Pa; gain and departures as shares."));
+}
+
+/** The table of the members; the numbers at the left lead to their reports. */
+function memberTable(study) {
+  const reports = new Set(data.members.filter((member) => member.has_report).map((member) => member.folder)), isTold = study.names.indexOf("status") > 1;
+  const link = (folder, row) => (reports.has(folder) ? h("a", { href: `${encodeURIComponent(folder)}/report.html`, title: folder, "aria-label": `Report of ${spaced(folder)}` }, isTold ? String(row + 1) : folder) : isTold ? String(row + 1) : folder);
+  const table = htmlTable("study.csv", study.names, study.rows.map((row, r) => row.map((field, c) => (c === 0 ? link(field, r) : readable(field, 5)))), { tall: study.rows.length > 20 });
   const note = study.excerptNote();
-  main.append(section("members", "Members", table, note ? h("p", { class: "note" }, note) : null, lazyDetails("study.csv, with all digits", () => htmlTable("study.csv, all digits", study.names, study.rows))),
+  return section("members", "Members", table, note ? h("p", { class: "note" }, note) : null, lazyDetails("study.csv, with all digits", () => htmlTable("study.csv, all digits", study.names, study.rows)));
+}
+
+function showStudy(main) {
+  const study = new Table(data.study), done = study.texts("status").filter((status) => status === "done").length, things = variedThings(study);
+  document.getElementById("subtitle").textContent = "A study: a family of runs";
+  const parts = [tiles([["Members", String(study.of)], ["Came to full load", String(done)], ["Time of all", `${short(study.column("wall_seconds").reduce((a, b) => a + (b || 0), 0), 3)} s`]]),
+    memberForces(study, things), memberFigures(study, things), uncertaintySection(), convergenceSection(study), memberTable(study),
     section("provenance", "Where this comes from", h("p", {}, "Each member's own report has its deck, versions and checksums."), lazyDetails("The log", () => h("pre", { tabindex: "0" }, data.log)),
-      h("p", { class: "note" }, `This page was made by Stroma ${data.made_by}.`)));
+      h("p", { class: "note" }, `This page was made by Stroma ${data.made_by}.`))];
+  main.append(...parts.filter((part) => part !== null));
   return async () => {};
 }
