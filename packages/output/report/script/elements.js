@@ -76,8 +76,8 @@ class Table {
   excerptNote() { return this.rows.length < this.of ? `${this.rows.length} of ${this.of} rows are shown; the file has them all.` : null; }
 }
 
-/** Fields that are no numbers stand at the left. */
-const textClass = (field) => (/^[^\d.+–-]/.test(field) ? { class: "text" } : {});
+/** Fields that are no numbers stand at the left, and whole sentences have several lines. */
+const textClass = (field) => (/^[^\d.+–-]/.test(field) ? { class: field.length > 30 && /^[a-z]+ \S+ \S+ /.test(field) ? "text long" : "text" } : {});
 
 /** A table in an element that scrolls by itself, from the keyboard too. */
 function htmlTable(label, names, rows, { tall = false } = {}) {

@@ -22,12 +22,13 @@ function convergenceSection(study) {
     const get = (name) => row[table.names.indexOf(name)], name = get("series") || "all members", found = sizeSeries(study, get("finest_force"));
     const limit = get("extrapolated_force") === "" ? NaN : Number(get("extrapolated_force"));
     unit = unit || forceUnit(Math.abs(Number(get("finest_force"))));
-    if (found) series.push({ label: name, n, points: found.points.map((p) => ({ x: p.x, y: p.y / unit.size })) });
-    if (found && Number.isFinite(limit)) series.push({ label: `${name}, extrapolated`, n, dash: 1, bare: true, points: [{ x: 0, y: limit / unit.size }, { x: found.points.at(-1).x, y: found.points.at(-1).y / unit.size }] });
+    if (found) series.push({ label: name, n, dash: Math.floor(n / 7), points: found.points.map((p) => ({ x: p.x, y: p.y / unit.size })) });
+    if (found && Number.isFinite(limit)) series.push({ label: `${name}, extrapolated`, key: null, n, dash: 2, bare: true, points: [{ x: 0, y: limit / unit.size }, { x: found.points.at(-1).x, y: found.points.at(-1).y / unit.size }] });
     lines.push([name, get("sizes"), short(Number(get("finest_element_size"))), short(Number(get("finest_force")) / unit.size, 6), Number.isFinite(limit) ? short(limit / unit.size, 6) : "–", get("order") === "" ? "–" : short(Number(get("order")), 3), get("remark")]);
   });
   if (lines.length === 0) return null;
-  return section("convergence", "As elements shrink", series.length > 0 ? lineChart("convergence-chart", "Force against the size of elements", "element size (µm)", `force (${unit.name})`, series) : null,
+  return section("convergence", "As elements shrink", series.length > 0 ? lineChart("convergence-chart", "Force against the size of elements", "element size (µm)", `force (${unit.name})`, series, { legend: lines.length > 1 && lines.length <= 7 }) : null,
+    h("p", { class: "note" }, `Dotted: to the value at size 0.${lines.length > 7 ? " Point at a curve to read which series it is." : ""}`),
     htmlTable("Convergence", ["series", "sizes", "finest (µm)", `force there (${unit.name})`, `at size 0 (${unit.name})`, "observed order", "remark"], lines));
 }
 
