@@ -106,12 +106,13 @@ void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResul
   const auto& loading = deck_->parameters.loading;
   const std::string time =
       loading.has_time() ? format("   time %.5g s", load.load() * loading.seconds()) : "";
-  log_->line(format(
-      "step %3d   load %.4f%s   Newton %d   linear %lld   residual %.1e   %.1f s, about "
-      "%.0f s left",
-      load.accepted(), load.load(), time.c_str(), solved.iterations, solved.linear_iterations,
-      solved.residual, seconds(), seconds() * (1.0 - load.load()) / load.load()));
-  full_load_at_ = seconds() / load.load();
+  const double left = seconds() * load.remaining() / load.accepted();
+  log_->line(
+      format("step %3d   load %.4f%s   Newton %d   linear %lld   residual %.1e   %.1f s, about "
+             "%.0f s left",
+             load.accepted(), load.load(), time.c_str(), solved.iterations,
+             solved.linear_iterations, solved.residual, seconds(), left));
+  full_load_at_ = seconds() + left;
   if (load.finished()) log_->progress("");
   if (solved.is_limited_by_rounding && !std::exchange(has_told_of_rounding_, true))
     log_->note(format(

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <regex>
 
 #include "stroma/material/AnyLaw.hpp"
 #include "support/ExodusReader.hpp"
@@ -297,6 +298,19 @@ TEST(TissueLawsDeck, PullsAsTheLawSaysInOneStep) {
   }
 }
 
+/// What a log says is left after each of its steps is the time so far by the steps to come, however
+/// long these are.
+void expect_seconds_left_by_steps(const std::string& log, int steps) {
+  const std::regex line(R"(\nstep +(\d+) .* ([0-9.]+) s, about (\d+) s left)");
+  int found = 0;
+  for (std::sregex_iterator at(log.begin(), log.end(), line), end; at != end; ++at, ++found) {
+    const double step = std::stod((*at)[1]), seconds = std::stod((*at)[2]);
+    const double to_come = (steps - step) / step;
+    EXPECT_NEAR(std::stod((*at)[3]), seconds * to_come, 0.51 + 0.06 * to_come) << at->str();
+  }
+  EXPECT_EQ(found, steps);
+}
+
 // 10_ramp_and_hold: the force is largest when the ramp ends, and falls from then on towards that of
 // the elastic body, to which its terms add 1.6 times as much at most.
 TEST(RampAndHoldDeck, RelaxesTowardsTheElasticForce) {
@@ -321,6 +335,7 @@ TEST(RampAndHoldDeck, RelaxesTowardsTheElasticForce) {
   EXPECT_LT(*std::max_element(force.begin(), force.end()), 2.6 * elastic);
   EXPECT_GT(force.back(), elastic);
   EXPECT_LT(force.back(), 1.3 * elastic);
+  expect_seconds_left_by_steps(content_of(results.path() / "slow" / "log.txt"), 20);
 }
 
 // A law whose shear stiffens and then softens: the run ends where it must, and says why and where.
