@@ -5,47 +5,12 @@
 #include <cmath>
 
 #include "stroma/sections/Faces.hpp"
+#include "stroma/sections/VectorImagesSection.hpp"
 #include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::sections {
 
 using namespace mechanics;
-
-namespace {
-
-deck::Section<DisplacementImages> displacement_images_section() {
-  deck::Section<DisplacementImages> section(
-      "Displacement Images",
-      "Displacement at full load, in um, by images of its components, such as measured ones: at each "
-      "point of the face between the centres of voxels, trilinear. Not with Grid|Reset.");
-  section.required(
-      "Images", &DisplacementImages::images, deck::not_empty(),
-      "Files, relative to the deck: three, of the components x, y, z, or one whose "
-      "channels they are. Of components that the condition does not prescribe nothing is "
-      "read.");
-  section.optional("Channels", &DisplacementImages::channels, deck::not_negative(),
-                   "Channels of the components x, y, z, counted from 0. Without it: 0 of three "
-                   "files; 0, 1, 2 of one.");
-  section.optional("Dataset", &DisplacementImages::dataset, deck::not_empty(), "Of HDF5 files.");
-  section.optional("Frame", &DisplacementImages::frame, deck::not_negative(),
-                   "Of time series, from 0.");
-  section.optional(
-      "Voxel Size [um]", &DisplacementImages::voxel_size, deck::positive(),
-      "Sides of their voxels along x, y, z; they need not be the specimen's. Without it: "
-      "the files' own.");
-  section.optional(
-      "Corner [um]", &DisplacementImages::corner, deck::any(),
-      "Where the lower corner of their first voxel lies, from that of the first voxel of "
-      "the specimen's whole image.");
-  section.check([](const DisplacementImages& p, deck::Findings& findings) {
-    if (p.images.size() != 1 && p.images.size() != 3)
-      findings.add("Images", "found " + std::to_string(p.images.size()) +
-                                 " files; admissible: three, or one that holds all components");
-  });
-  return section;
-}
-
-}  // namespace
 
 deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   deck::Section<BoundaryCondition> condition(
@@ -93,7 +58,13 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       "Load Curve", &BoundaryCondition::load_curve, deck::not_empty(),
       "The name of one of the Load Curves, by which the value is multiplied; without "
       "it, by the load factor.");
-  condition.section(displacement_images_section(), &BoundaryCondition::images);
+  condition.section(
+      vector_images_section(
+          "Displacement Images",
+          "Displacement at full load, in um, by images of its components, such as measured ones: at "
+          "each point of the face between the centres of voxels, trilinear. Not with Grid|Reset.",
+          " Of components that the condition does not prescribe nothing is read."),
+      &BoundaryCondition::images);
   condition.check([](const BoundaryCondition& p, deck::Findings& findings) {
     for (std::size_t n = 0; n < p.components.size(); ++n) {
       const char c = p.components[n];

@@ -2,6 +2,8 @@
 
 #include "stroma/sections/InitialConditionsSection.hpp"
 
+#include "stroma/sections/VectorImagesSection.hpp"
+
 namespace stroma::sections {
 
 using namespace mechanics;
@@ -18,9 +20,15 @@ deck::Section<InitialConditionsParameters> initial_conditions_section() {
       "Center [um]", &InitialCondition::center, deck::any(),
       "The point that Velocity Gradient [1/s] leaves at rest. Without it: the middle "
       "of the body's box.");
+  condition.section(vector_images_section(
+                        "Velocity Images",
+                        "Velocity in um/s by images of its components: at each point of the body "
+                        "between the centres of voxels, trilinear."),
+                    &InitialCondition::images);
   condition.check([](const InitialCondition& p, deck::Findings& findings) {
-    if (!p.velocity && !p.velocity_gradient)
-      findings.add("Velocity [um/s]", "missing; give it, or Velocity Gradient [1/s], or both");
+    if (!p.velocity && !p.velocity_gradient && !p.images)
+      findings.add("Velocity [um/s]",
+                   "missing; give it, or Velocity Gradient [1/s], or Velocity Images, or several");
     if (p.center && !p.velocity_gradient)
       findings.add("Center [um]", "is used with Velocity Gradient [1/s] only");
   });

@@ -212,6 +212,10 @@ void for_each_image_file(DeckParameters& p,
     if (condition.images)
       for (std::string& file : condition.images->images)
         visit("Boundary Conditions|" + name + "|Displacement Images|Images", file);
+  for (auto& [name, condition] : p.initial_conditions.conditions)
+    if (condition.images)
+      for (std::string& file : condition.images->images)
+        visit("Initial Conditions|" + name + "|Velocity Images|Images", file);
 }
 
 deck::Section<DeckParameters> deck_section() {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "run/MeasuredDisplacements.hpp"
+#include "run/MeasuredFields.hpp"
 #include "run/MemoryEstimate.hpp"
 #include "run/OwnNumbers.hpp"
 #include "stroma/base/Error.hpp"
@@ -118,6 +118,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   }
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   auto displacements = measured_displacements(communicator, deck, grid, partition, files);
+  auto velocities = measured_velocities(communicator, deck, grid, partition, files);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
   Specimen specimen{image.summary,
                     grid,
@@ -131,6 +132,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     {},
                     {},
                     std::move(displacements),
+                    std::move(velocities),
                     std::move(files)};
   const material::Compressibility of_volume = material::compressibility(materials);
   specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
@@ -189,9 +191,12 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen) {
   problem.outer_thickness = specimen.layout.outer_thickness;
   problem.particle_half_edge = specimen.layout.half_edge;
   problem.dynamics = p.loading.dynamics();
-  if (problem.dynamics)
-    problem.dynamics->initial_velocity =
-        mechanics::initial_velocity(p.initial_conditions, specimen.body);
+  if (problem.dynamics) {
+    mechanics::InitialConditionsParameters initial = p.initial_conditions;
+    for (std::size_t m = 0; m < initial.conditions.size(); ++m)
+      initial.conditions[m].second.field = specimen.velocities[m];
+    problem.dynamics->initial_velocity = mechanics::initial_velocity(initial, specimen.body);
+  }
   problem.method = mechanics::method_of(p.grid, material::compressibility(p.materials.materials));
   return problem;
 }

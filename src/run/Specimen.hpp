@@ -41,9 +41,11 @@ struct Specimen {
   std::vector<std::vector<int>> own_numbers;  ///< (material) that particles give (OwnNumbers)
   std::vector<std::string> fields;            ///< a line on each
   /// (condition) of its images, or null
-  std::vector<std::shared_ptr<const mechanics::DisplacementField>> displacements;
+  std::vector<std::shared_ptr<const mechanics::VectorField>> displacements;
+  /// (initial condition) of its images, or null
+  std::vector<std::shared_ptr<const mechanics::VectorField>> velocities;
   std::vector<std::string>
-      files;  ///< that it was read from: of its image, its fields, displacements
+      files;  ///< that it was read from: of its image, its fields, displacements, velocities
 };
 
 /// What is solved on the specimen.

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "stroma/mechanics/problem/DisplacementField.hpp"
 #include "stroma/mechanics/problem/LoadCurve.hpp"
+#include "stroma/mechanics/problem/VectorField.hpp"
 
 namespace stroma::mechanics {
 
@@ -40,9 +40,9 @@ struct BoundaryCondition {
   std::optional<double> rotation;               ///< angle at full load, right-handed [deg]
   std::optional<std::array<double, 3>> axis;    ///< of the rotation, of any length; else the normal
   std::optional<std::array<double, 3>> center;  ///< on the axis [um]; else the body box's middle
-  std::optional<DisplacementImages> images;     ///< of the displacement at full load
-  std::shared_ptr<const DisplacementField> field = {};  ///< what they hold around the face
-  std::optional<ImposedBy> imposed_by;  ///< else: nodes without grid reset, grip with it
+  std::optional<VectorImages> images;           ///< of the displacement at full load
+  std::shared_ptr<const VectorField> field = {};  ///< what they hold around the face
+  std::optional<ImposedBy> imposed_by;            ///< else: nodes without grid reset, grip with it
   /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
   std::optional<double> penalty_factor;   ///< else 2e4
   std::optional<std::string> load_curve;  ///< the deck's name of `curve`

@@ -17,6 +17,7 @@ std::function<std::array<double, 3>(const std::array<double, 3>&)> initial_veloc
       const std::array<double, 3> center = one.center.value_or(middle);
       for (std::size_t i = 0; i < 3; ++i) {
         if (one.velocity) v[i] += (*one.velocity)[i];
+        if (one.field) v[i] += one.field->at(static_cast<int>(i), X);
         for (std::size_t j = 0; one.velocity_gradient && j < 3; ++j)
           v[i] += (*one.velocity_gradient)[3 * i + j] * (X[j] - center[j]);
       }

@@ -7,20 +7,24 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "stroma/grid/Grid.hpp"
+#include "stroma/mechanics/problem/VectorField.hpp"
 
 namespace stroma::mechanics {
 
-/// v(X) = velocity + L (X - center).
+/// v(X) = velocity + L (X - center) + that of images.
 struct InitialCondition {
   std::optional<std::array<double, 3>> velocity;           ///< [um/s]
   std::optional<std::array<double, 9>> velocity_gradient;  ///< L, row by row [1/s]
-  std::optional<std::array<double, 3>> center;  ///< [um]; absent: the middle of the body's box
+  std::optional<std::array<double, 3>> center;    ///< [um]; absent: the middle of the body's box
+  std::optional<VectorImages> images;             ///< of the velocity [um/s]
+  std::shared_ptr<const VectorField> field = {};  ///< what they hold where this rank is
 };
 
 struct InitialConditionsParameters {

@@ -113,22 +113,28 @@ void Inertia::begin_particles() {
   if (!initial) return;
   const auto& halo = body_.halo();
   const grid::Partition& partition = halo.partition();
-  const grid::Box owned = partition.owned_nodes(halo.communicator().rank());
-  {
-    const auto v = velocity_.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const int rank = halo.communicator().rank();
+  const grid::Box owned = partition.owned_nodes(rank), touched = partition.touched_nodes(rank);
+  const auto filled =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), body_.elements_around({}, true));
+  base::collectively(halo.communicator(), [&] {
+    const auto v = velocity_.getLocalViewHost(Tpetra::Access::ReadWrite);
     grid::for_each_index(owned, [&](const grid::Index3& node) {
+      if (filled(touched.local(node)) == 0) return;  // nothing moves there, and nobody may know how
       const auto at = initial(partition.grid().node_position(node));
       for (int c = 0; c < 3; ++c)
         v(static_cast<std::size_t>(3 * owned.local(node) + c), 0) = at[static_cast<std::size_t>(c)];
     });
-  }
+  });
   if (!body_.particles_carry_motion()) return;
   const auto X = particles::undeformed_positions(body_.particles());
   const auto v = Kokkos::create_mirror_view(body_.particles().velocity);
-  for (int p = 0; p < body_.particles().count(); ++p) {
-    const auto at = initial(X[static_cast<std::size_t>(p)]);
-    for (int c = 0; c < 3; ++c) v(p, c) = at[static_cast<std::size_t>(c)];
-  }
+  base::collectively(halo.communicator(), [&] {
+    for (int p = 0; p < body_.particles().count(); ++p) {
+      const auto at = initial(X[static_cast<std::size_t>(p)]);
+      for (int c = 0; c < 3; ++c) v(p, c) = at[static_cast<std::size_t>(c)];
+    }
+  });
   Kokkos::deep_copy(body_.particles().velocity, v);
 }
 

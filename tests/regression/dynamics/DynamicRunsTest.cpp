@@ -2,12 +2,16 @@
 
 /// \file
 /// Runs of bodies with inertia, by the program: on any number of ranks, in parts, and their
-/// balance of energy. Claims V-DYN-RUNS, V-DYN-WORK and V-DYN-STEPS, docs/verification.md.
+/// balance of energy. Claims V-DYN-RUNS, V-DYN-IMAGES, V-DYN-WORK and V-DYN-STEPS,
+/// docs/verification.md.
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "regression/restart/LongDeck.hpp"
 #include "support/ExodusReader.hpp"
+#include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
@@ -76,6 +80,53 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"Reset", ", Reset: true, Shape Functions: GIMP", ", Scheme: Generalised Alpha"},
         Variant{"ResetOfSplines", ", Reset: true, Shape Functions: Quadratic B-Spline", ""}),
     [](const auto& one) { return one.param.name; });
+
+/// The same deck with the drift by images: voxels of 3 x 4 x 5 um that begin before the body.
+std::string with_images(std::string deck) {
+  const std::string gradient =
+      "\"Velocity Gradient [1/s]\": [0, 0, 0, 0, 0, 0, 0, 3000, 0], \"Center [um]\": [0, 0, 0]";
+  return deck.replace(deck.find(gradient), gradient.size(),
+                      "Velocity Images: {Images: [v_x.mhd, v_y.mhd, v_z.mhd], \"Voxel Size [um]\": "
+                      "[3, 4, 5], \"Corner [um]\": [-3, -5, -6]}");
+}
+
+// A linear field of velocities, by images and by nine numbers, at nodes and at particles, on grids
+// that are reset or not; voxels far from the body need no numbers.
+TEST(DynamicRunsOfABody, BeginAsImagesSay) {
+  const TemporaryFolder folder;
+  const std::array<int, 3> size{20, 20, 20};
+  for (const char* name : {"v_x", "v_y"})
+    write_stack<double>(folder, name, size, [](int, int, int) { return 0.0; });
+  write_stack<double>(folder, "v_z", size, [](int i, int j, int) {
+    return i == 19 ? std::nan("") : 3000.0 * (4.0 * (j + 0.5) - 5.0);
+  });
+  const std::string reset = ", Reset: true, Shape Functions: GIMP";
+  for (const auto& [grid, loading] :
+       {std::pair<std::string, std::string>{"", ""}, {"", ", Mass: Consistent"}, {reset, ""}}) {
+    const std::string deck = jerked(grid, loading, 2);
+    const History numbers = run_deck(folder, "numbers", deck);
+    EXPECT_GT(numbers["kinetic_energy"][0], 0.0);
+    for (const int ranks : {1, 2})
+      EXPECT_LT(difference(numbers, run_deck(folder, "images", with_images(deck), ranks)), 1e-10)
+          << grid << loading << ranks;
+  }
+
+  // Others than before when a run goes on, and images that do not fit.
+  const std::string deck = with_images(jerked("", "", 2));
+  const auto refusal = [&](const std::string& arguments) {
+    const Outcome outcome = run_stroma(folder.path(), "run images.yaml --quiet " + arguments, 2);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    return outcome.standard_error;
+  };
+  folder.write("images.yaml", deck);
+  write_stack<double>(folder, "v_x", size, [](int, int, int) { return 1.0; });
+  EXPECT_NE(refusal("-o images --restart").find("v_x"), std::string::npos);
+  const std::string images = "Initial Conditions|drift|Velocity Images";
+  EXPECT_NE(refusal("-o other --set '" + images + "|Corner [um]={1, 0, 0}'").find(images),
+            std::string::npos);
+  write_stack<double>(folder, "v_y", size, [](int, int, int) { return std::nan(""); });
+  EXPECT_NE(refusal("-o other").find(images + ": component y at"), std::string::npos);
+}
 
 /// How far strain and kinetic energy, work and loss are from balance, of the largest kinetic energy.
 double imbalance(const History& history) {

@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// A displacement that images of its components give.
+/// A vector at each point of the body that images of its components give.
 
 #include <array>
 #include <optional>
@@ -14,8 +14,9 @@
 
 namespace stroma::mechanics {
 
-/// The images of a displacement as the deck names them.
-struct DisplacementImages {
+/// The images of a vector's components, such as a displacement's [um] or a velocity's [um/s], as the
+/// deck names them.
+struct VectorImages {
   std::vector<std::string> images;  ///< three files, of x, y, z; or one that holds all three
   std::optional<std::array<int, 3>> channels;       ///< else 0 of three files; 0, 1, 2 of one
   std::optional<std::string> dataset;               ///< HDF5 only
@@ -45,24 +46,24 @@ struct VoxelLattice {
   voxels::Box around(const std::array<double, 3>& lower, const std::array<double, 3>& upper) const;
 };
 
-/// Displacement u(X) [um] by voxels: trilinear between their centres, continued in the same straight
+/// A vector field by voxels, in the unit of its images: trilinear between their centres, continued in the same straight
 /// lines over the half voxel beyond the outermost; constant along an axis with a single voxel. So a
 /// field that is linear in X is met exactly. Of the image it holds a few boxes of voxels.
-class DisplacementField {
+class VectorField {
  public:
   struct Block {
     voxels::Box box;
-    std::array<std::vector<double>, 3> values;  ///< (component) [um]; empty: not asked for
+    std::array<std::vector<double>, 3> values;  ///< (component) empty: not asked for
   };
 
   /// \param name     of the deck's section, for errors
   /// \param lattice  of the whole image
   /// \param blocks   what of it is held
-  /// \param largest  size of the largest component in the blocks of all ranks [um]
-  DisplacementField(std::string name, const VoxelLattice& lattice, std::vector<Block> blocks,
-                    double largest);
+  /// \param largest  size of the largest component in the blocks of all ranks
+  VectorField(std::string name, const VoxelLattice& lattice, std::vector<Block> blocks,
+              double largest);
 
-  /// A component at a point around which the blocks hold the voxels [um].
+  /// A component at a point X of the undeformed body [um] around which the blocks hold the voxels.
   /// \throws base::InputError when a voxel that counts there is no finite number
   double at(int component, const std::array<double, 3>& X) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "stroma/mechanics/problem/DisplacementField.hpp"
+#include "stroma/mechanics/problem/VectorField.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +29,12 @@ voxels::Box VoxelLattice::around(const std::array<double, 3>& lower,
   return box;
 }
 
-DisplacementField::DisplacementField(std::string name, const VoxelLattice& lattice,
-                                     std::vector<Block> blocks, double largest)
+VectorField::VectorField(std::string name, const VoxelLattice& lattice, std::vector<Block> blocks,
+                         double largest)
     : name_(std::move(name)), lattice_(lattice), blocks_(std::move(blocks)), largest_(largest) {}
 
-double DisplacementField::value(int component, const std::array<std::int64_t, 3>& voxel,
-                                const std::array<double, 3>& X) const {
+double VectorField::value(int component, const std::array<std::int64_t, 3>& voxel,
+                          const std::array<double, 3>& X) const {
   for (const Block& block : blocks_) {
     std::int64_t number = 0;
     bool is_inside = true;
@@ -48,15 +48,15 @@ double DisplacementField::value(int component, const std::array<std::int64_t, 3>
         block.values[static_cast<std::size_t>(component)].at(static_cast<std::size_t>(number));
     if (!std::isfinite(found))
       throw base::InputError(base::format(
-          "%s: the %c displacement at (%g, %g, %g) um needs %s, which is no finite number; "
-          "admissible: numbers in all voxels around the face",
+          "%s: component %c at (%g, %g, %g) um needs %s, which is no finite number; "
+          "admissible: numbers in all voxels around what is asked for",
           name_.c_str(), "xyz"[component], X[0], X[1], X[2], voxels::name_of_voxel(voxel).c_str()));
     return found;
   }
-  throw std::logic_error("a displacement was asked for where no voxels are held");
+  throw std::logic_error("a vector was asked for where no voxels are held");
 }
 
-double DisplacementField::at(int component, const std::array<double, 3>& X) const {
+double VectorField::at(int component, const std::array<double, 3>& X) const {
   std::array<std::int64_t, 3> first;
   std::array<double, 3> share;
   for (std::size_t d = 0; d < 3; ++d) {

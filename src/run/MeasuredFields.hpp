@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// From a condition's Displacement Images to the displacements that a rank needs of them.
+/// From images of a vector to what a rank needs of them.
 
 #include <memory>
 #include <string>
@@ -25,7 +25,13 @@ namespace stroma {
 /// \param files         gains those that were read
 /// \throws base::InputError, naming the condition: an image cannot be had, has no voxel size or
 ///   another size than the first, or does not reach to all of the face
-std::vector<std::shared_ptr<const mechanics::DisplacementField>> measured_displacements(
+std::vector<std::shared_ptr<const mechanics::VectorField>> measured_displacements(
+    const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
+    const grid::Partition& partition, std::vector<std::string>& files);
+
+/// The velocity of each initial condition that has images, null of the others; the same, of all that
+/// a rank has of the body.
+std::vector<std::shared_ptr<const mechanics::VectorField>> measured_velocities(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
     const grid::Partition& partition, std::vector<std::string>& files);
 
