@@ -259,7 +259,9 @@ void FieldFiles::open_grid_file(const output::GridPart& part) {
   std::optional<output::FileEnd> continued = std::exchange(grid_continued_, std::nullopt);
   if (deck_->parameters.grid.reset) continued.reset();  // each step has a file of its own
   if (!continued) ++grid_files_;
-  grid_file_.emplace(communicator_, folder_.grid(grid_files_), part, provenance_,
+  std::vector<std::string> vectors{"displacement", "residual"};
+  if (deck_->parameters.loading.inertia) vectors.emplace_back("velocity");
+  grid_file_.emplace(communicator_, folder_.grid(grid_files_), part, vectors, provenance_,
                      deck_->parameters.output.precision, continued);
 }
 
@@ -272,11 +274,7 @@ void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBa
                            ? std::nullopt
                            : std::make_optional<mechanics::Lattice>(balance.halo());
   const grid::Halo& halo = lattice ? lattice->halo() : balance.halo();
-  grid::Vector displacement_at_nodes(halo.owned_map()), force_at_nodes(halo.owned_map());
-  if (lattice) {
-    lattice->values_at_nodes(u, displacement_at_nodes);
-    lattice->forces_at_nodes(force, force_at_nodes);
-  }
+  grid::Vector at_nodes(halo.owned_map());
   // A grid that is reset has other elements in each step, and so a file of its own.
   const bool is_new = !grid_file_ || deck_->parameters.grid.reset;
   const bool as_vtkhdf = deck_->parameters.output.vtkhdf;
@@ -295,12 +293,24 @@ void FieldFiles::write_grid(const output::HistoryRow& row, mechanics::MomentumBa
     }
     return values;
   };
-  const std::vector<double> displacement = gathered(lattice ? displacement_at_nodes : u, 1.0);
-  const std::vector<double> residual = gathered(lattice ? force_at_nodes : force, 0.5);
-  grid_file_->write(row.time, displacement.data(), residual.data());
+  const auto values = [&](const grid::Vector& vector) {
+    if (lattice) lattice->values_at_nodes(vector, at_nodes);
+    return gathered(lattice ? at_nodes : vector, 1.0);
+  };
+  const std::vector<double> displacement = values(u);
+  if (lattice) lattice->forces_at_nodes(force, at_nodes);
+  const std::vector<double> residual = gathered(lattice ? at_nodes : force, 0.5);
+  std::vector<output::NodalVector> vectors{{"displacement", "um", displacement.data()},
+                                           {"residual", "pN", residual.data()}};
+  std::vector<double> velocity;
+  if (const mechanics::Inertia* inertia = balance.inertia()) {
+    velocity = values(inertia->velocity());
+    vectors.push_back({"velocity", "um/s", velocity.data()});
+  }
+  grid_file_->write(row.time, vectors);
   if (as_vtkhdf) {
-    output::write_vtkhdf_grid(communicator_, vtkhdf_grid_.path(row.step), part, displacement.data(),
-                              residual.data(), numbers(row), deck_->parameters.output.precision);
+    output::write_vtkhdf_grid(communicator_, vtkhdf_grid_.path(row.step), part, vectors,
+                              numbers(row), deck_->parameters.output.precision);
     vtkhdf_grid_.add({row.step, row.time});
   }
   grid_step_ = row.step;

@@ -5,6 +5,7 @@
 #include <exodusII.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/SpreadFiles.hpp"
@@ -100,8 +101,12 @@ std::int64_t count_global_nodes(const base::Communicator& communicator,
   return communicator.sum(used_count - static_cast<std::int64_t>(distinct));
 }
 
-const std::vector<std::string> nodal_variables = {
-    "displacement_x", "displacement_y", "displacement_z", "residual_x", "residual_y", "residual_z"};
+std::vector<std::string> components_of(const std::vector<std::string>& vectors) {
+  std::vector<std::string> names;
+  for (const std::string& vector : vectors)
+    for (const char* axis : {"_x", "_y", "_z"}) names.push_back(vector + axis);
+  return names;
+}
 
 /// Coordinates and global numbers of the used nodes.
 void put_nodes(const ExodusFile& file, const GridPart& part, const IndexBox& box,
@@ -158,11 +163,13 @@ void put_elements(const ExodusFile& file, const GridPart& part, const IndexBox& 
 }  // namespace
 
 GridFile::GridFile(const base::Communicator& communicator, const std::string& path,
-                   const GridPart& part, const Provenance& provenance, Precision precision,
+                   const GridPart& part, std::vector<std::string> vectors,
+                   const Provenance& provenance, Precision precision,
                    const std::optional<FileEnd>& continued)
     : communicator_(communicator),
       path_(spread_file_name(path, communicator.size(), communicator.rank())),
-      part_(part) {
+      part_(part),
+      vectors_(std::move(vectors)) {
   part_.active = nullptr;  // the caller's
   const IndexBox box = node_box(part);
   used_ = used_nodes(part);
@@ -222,16 +229,16 @@ GridFile::GridFile(const base::Communicator& communicator, const std::string& pa
     file.check(ex_put_block(id, EX_ELEM_BLOCK, 1, "HEX8", elements, 8, 0, 0, 0), "the elements");
     file.check(ex_put_name(id, EX_ELEM_BLOCK, 1, "grid"), "the block's name");
     put_elements(file, part, box, local_number);
-    if (used_count_ > 0) file.put_variable_names(EX_NODAL, nodal_variables);
+    if (used_count_ > 0) file.put_variable_names(EX_NODAL, components_of(vectors_));
     file.close();
     end_ = end_of(path_);
   });
 }
 
-void GridFile::write(double time, const double* displacement, const double* residual) {
+void GridFile::write(double time, const std::vector<NodalVector>& vectors) {
   add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
-    for (int variable = 0; variable < 6; ++variable) {
-      const double* values = (variable < 3) ? displacement : residual;
+    for (int variable = 0; variable < static_cast<int>(3 * vectors_.size()); ++variable) {
+      const double* values = vectors[static_cast<std::size_t>(variable / 3)].values;
       UsedNodes nodes(used_);
       ExodusFile::in_pieces<double>(
           used_count_, [&](std::int64_t) { return values[3 * nodes.next() + variable % 3]; },
@@ -255,7 +262,7 @@ void GridFile::copy_steps(const std::string& path, int ranks) {
     const std::int64_t s = end_.steps + 1;
     add_step(communicator_, path_, end_, time, [&](const ExodusStep& step) {
       if (used_count_ == 0) return;
-      for (int variable = 1; variable <= 6; ++variable)
+      for (int variable = 1; variable <= static_cast<int>(3 * vectors_.size()); ++variable)
         step.put_piece(ExodusStep::At::nodes, variable, 1, 1, used_count_,
                        before->values(s, variable).data());
     });

@@ -3,7 +3,7 @@
 #pragma once
 
 /// \file
-/// grid.e: the background grid with nodal displacement and residual, as an Exodus file.
+/// grid.e: the background grid with vectors at its nodes, as an Exodus file.
 
 #include <cstdint>
 #include <optional>
@@ -18,9 +18,8 @@
 namespace stroma::output {
 
 /// Writes grid.e, or under N > 1 ranks the spread files grid.e.N.r: the active elements as one
-/// block `grid` of HEX8, the nodes they use, and at each step the nodal variables
-/// `displacement_x/y/z` [um] and `residual_x/y/z` [pN]. The number maps hold the numbers in the
-/// whole grid,
+/// block `grid` of HEX8, the nodes they use, and at each step the nodal variables NAME_x, NAME_y,
+/// NAME_z of each vector. The number maps hold the numbers in the whole grid,
 ///
 ///     node = 1 + i + (nx+1) (j + (ny+1) k),   element = 1 + i + nx (j + ny k).
 ///
@@ -32,22 +31,20 @@ class GridFile {
   /// \param communicator  of the ranks that share the grid
   /// \param path          of the file, without the ending of a spread one
   /// \param part          this rank's
+  /// \param vectors       names of those at the nodes
   /// \param provenance    title, version and deck, kept in the file
   /// \param precision     of the numbers in it
   /// \param continued     where this rank's file is to be continued; what comes behind is cut off
   /// \throws RunError on all ranks, naming the file and what could not be written
   GridFile(const base::Communicator& communicator, const std::string& path, const GridPart& part,
-           const Provenance& provenance, Precision precision = Precision::Double,
-           const std::optional<FileEnd>& continued = {});
+           std::vector<std::string> vectors, const Provenance& provenance,
+           Precision precision = Precision::Double, const std::optional<FileEnd>& continued = {});
 
-  /// Adds one step. Collective. Both arrays cover the nodes of this rank's box (element_count + 1
-  /// in each direction, x fastest), 3 values a node, complete on every rank that shares the node;
-  /// they are not read where the box is empty.
-  /// \param time  of the step, later than that of the step before
-  /// \param displacement  (node of the box, xyz) [um]
-  /// \param residual  (node of the box, xyz) [pN]
+  /// Adds one step. Collective.
+  /// \param time     of the step, later than that of the step before
+  /// \param vectors  those of the names, in their order; not read where the box is empty
   /// \throws RunError on all ranks, naming the file and what could not be written
-  void write(double time, const double* displacement, const double* residual);
+  void write(double time, const std::vector<NodalVector>& vectors);
 
   /// Adds the steps that another number of ranks wrote, of the same grid, to a file that has none.
   /// Collective.
@@ -63,8 +60,9 @@ class GridFile {
 
  private:
   base::Communicator communicator_;
-  std::string path_;                ///< of this rank's own file
-  GridPart part_;                   ///< but for which elements are active
+  std::string path_;  ///< of this rank's own file
+  GridPart part_;     ///< but for which elements are active
+  std::vector<std::string> vectors_;
   std::vector<std::uint8_t> used_;  ///< (node of the box) 1: an active element has this corner
   std::int64_t used_count_ = 0;
   FileEnd end_;

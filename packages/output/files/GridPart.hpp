@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace stroma::output {
@@ -92,5 +93,11 @@ std::int64_t node_id(const GridPart& part, const Index3& node);
 
 /// Where a node of the undeformed grid stands [um].
 double coordinate(const GridPart& part, const Index3& node, std::size_t axis);
+
+/// A vector at the nodes of a rank's box (element_count + 1 in each direction, x fastest).
+struct NodalVector {
+  std::string name, unit;
+  const double* values;  ///< (node of the box, xyz), complete on every rank that shares the node
+};
 
 }  // namespace stroma::output

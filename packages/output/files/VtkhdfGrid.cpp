@@ -47,7 +47,7 @@ void put_cells(const VtkhdfPieces& file, const GridPart& part,
 }  // namespace
 
 void write_vtkhdf_grid(const base::Communicator& communicator, const std::string& path,
-                       const GridPart& part, const double* displacement, const double* residual,
+                       const GridPart& part, const std::vector<NodalVector>& vectors,
                        const std::vector<VtkhdfNumber>& numbers, Precision precision) {
   const std::vector<std::uint8_t> used = used_nodes(part);
   const IndexBox box = node_box(part);
@@ -55,12 +55,11 @@ void write_vtkhdf_grid(const base::Communicator& communicator, const std::string
   sizes.cell = VtkCell::hexahedron;
   sizes.points = std::count(used.begin(), used.end(), 1);
   for_each_active(part, [&](std::int64_t, std::int64_t, std::int64_t) { ++sizes.cells; });
+  std::vector<VtkhdfColumn> columns;
+  for (const NodalVector& vector : vectors) columns.push_back({vector.name, vector.unit, 3});
+  columns.push_back({"id", "-", 1, VtkhdfColumn::Number::integer});
   write_vtkhdf(
-      communicator, path, sizes,
-      {{"displacement", "um", 3},
-       {"residual", "pN", 3},
-       {"id", "-", 1, VtkhdfColumn::Number::integer}},
-      numbers, precision, [&](const VtkhdfPieces& file) {
+      communicator, path, sizes, columns, numbers, precision, [&](const VtkhdfPieces& file) {
         const auto put_column = [&](std::size_t column, int width, const auto& value) {
           put_nodes(used, sizes.points, width, value, [&](auto first, auto count, auto values) {
             file.column(column, first, count, values);
@@ -73,9 +72,10 @@ void write_vtkhdf_grid(const base::Communicator& communicator, const std::string
             },
             [&](auto first, auto count, auto values) { file.points(first, count, values); });
         put_cells(file, part, used);
-        put_column(0, 3, [&](std::int64_t node, int c) { return displacement[3 * node + c]; });
-        put_column(1, 3, [&](std::int64_t node, int c) { return residual[3 * node + c]; });
-        put_column(2, 1, [&](std::int64_t node, int) {
+        for (std::size_t v = 0; v < vectors.size(); ++v)
+          put_column(v, 3,
+                     [&](std::int64_t node, int c) { return vectors[v].values[3 * node + c]; });
+        put_column(vectors.size(), 1, [&](std::int64_t node, int) {
           return static_cast<double>(node_id(part, box.place(node)));
         });
       });

@@ -14,18 +14,17 @@
 namespace stroma::output {
 
 /// Writes the active elements as hexahedra at their reference positions [um], and at the nodes that
-/// they use `displacement` [um], `residual` [pN] and `id`, the number in the whole grid from 1.
+/// they use the vectors and `id`, the number in the whole grid from 1.
 /// Field data: the row of history.csv. Collective.
 /// \param communicator  of the ranks that share the grid
 /// \param path          of the file
 /// \param part          this rank's
-/// \param displacement  (node of the rank's box, xyz) [um]
-/// \param residual      (node of the rank's box, xyz) [pN]
+/// \param vectors       at the nodes
 /// \param numbers       the row
 /// \param precision     of what is real
 /// \throws base::RunError on all ranks; a file of before is still there
 void write_vtkhdf_grid(const base::Communicator& communicator, const std::string& path,
-                       const GridPart& part, const double* displacement, const double* residual,
+                       const GridPart& part, const std::vector<NodalVector>& vectors,
                        const std::vector<VtkhdfNumber>& numbers, Precision precision);
 
 }  // namespace stroma::output

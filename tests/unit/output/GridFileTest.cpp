@@ -54,7 +54,8 @@ TEST(GridFile, HoldsElementsAndNodesInTheNumbersOfTheWholeGrid) {
   const TemporaryFolder folder;
   const auto world = base::Communicator::world();
   const output::GridPart part = slab(world);
-  const output::GridFile file(world, folder / "grid.e", part, {"gel", "0.1.0", ""});
+  const output::GridFile file(world, folder / "grid.e", part, {"displacement", "residual"},
+                              {"gel", "0.1.0", ""});
   const ExodusReader reader(own_file(folder / "grid.e"));
   const std::int64_t width = part.element_count[0];
   EXPECT_EQ(reader.counts.num_elem, width * 12);
@@ -98,7 +99,8 @@ TEST(GridFile, LeavesOutInactiveElementsAndNodesThatNobodyUses) {
   output::GridPart part = slab(world);
   const auto active = without_first_plane(part);
   part.active = active.data();
-  output::GridFile file(world, folder / "grid.e", part, {"gel", "0.1.0", ""});
+  output::GridFile file(world, folder / "grid.e", part, {"displacement", "residual"},
+                        {"gel", "0.1.0", ""});
 
   // Nodal values that tell the node's place in the whole grid.
   std::vector<double> displacement, residual;
@@ -112,8 +114,10 @@ TEST(GridFile, LeavesOutInactiveElementsAndNodesThatNobodyUses) {
             residual.push_back(-static_cast<double>(number) - 0.1 * d);
           }
   }
-  file.write(0.5, displacement.data(), residual.data());
-  file.write(1.0, displacement.data(), residual.data());
+  const std::vector<output::NodalVector> vectors{{"displacement", "um", displacement.data()},
+                                                 {"residual", "pN", residual.data()}};
+  file.write(0.5, vectors);
+  file.write(1.0, vectors);
 
   const ExodusReader reader(own_file(folder / "grid.e"));
   const std::int64_t width = part.element_count[0];
@@ -143,7 +147,10 @@ TEST(GridFile, SpreadFilesAgreeOnTheNodesTheyShare) {
   output::GridPart part = slab(world);
   const auto active = without_first_plane(part);
   part.active = active.data();
-  { const output::GridFile file(world, folder / "grid.e", part, {"gel", "0.1.0", ""}); }
+  {
+    const output::GridFile file(world, folder / "grid.e", part, {"displacement", "residual"},
+                                {"gel", "0.1.0", ""});
+  }
   world.barrier();
 
   std::map<int, std::set<std::int64_t>> nodes_of;                   // rank -> global numbers
@@ -205,7 +212,7 @@ TEST(GridFile, CannotBeCreatedIsARunErrorOnEveryRank) {
   const auto world = base::Communicator::world();
   const std::string path = folder / "missing/grid.e";
   const std::string message = message_of<base::RunError>([&] {
-    output::GridFile(world, path, slab(world), {"gel", "0.1.0", ""});
+    output::GridFile(world, path, slab(world), {"displacement"}, {"gel", "0.1.0", ""});
   });
   EXPECT_EQ(message.rfind("cannot create '" + path, 0), 0U) << message;
 }

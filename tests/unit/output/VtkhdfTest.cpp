@@ -132,8 +132,10 @@ TEST(Vtkhdf, HoldsTheGridOfAllRanks) {
     displacement.push_back(id + 0.25 * static_cast<double>(n % 3));
     residual.push_back(-id);
   }
-  output::write_vtkhdf_grid(world, folder / "g.hdf", part, displacement.data(), residual.data(), {},
-                            output::Precision::Double);
+  output::write_vtkhdf_grid(
+      world, folder / "g.hdf", part,
+      {{"displacement", "um", displacement.data()}, {"residual", "pN", residual.data()}}, {},
+      output::Precision::Double);
   const File file(folder / "g.hdf");
   const std::int64_t planes = part.element_count[2];
   expect_parts(file, planes == 0 ? 0 : 6 * 4 * (planes + 1), 15 * planes, 8);
