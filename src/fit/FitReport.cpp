@@ -2,16 +2,12 @@
 
 #include "fit/FitReport.hpp"
 
-#include <mpi.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "run/RunReport.hpp"
-#include "stroma/base/Error.hpp"
 #include "stroma/base/FileContent.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
-#include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/report/ReportPage.hpp"
 
 namespace stroma {
@@ -37,17 +33,7 @@ json data_of(const output::RunFiles& files) {
 }  // namespace
 
 void fit_report(const base::Communicator& communicator, const std::string& folder, base::Log& log) {
-  const double start = MPI_Wtime();
-  const output::RunFiles files(folder);
-  std::string page;
-  base::collectively(communicator, [&] {
-    if (!std::filesystem::is_regular_file(files.file("fit.csv")))
-      throw base::InputError("'" + folder + "' is no folder of a fit: it has no fit.csv");
-    if (!communicator.is_root()) return;
-    const json data = data_of(files);
-    page = output::report_page(data["title"].get<std::string>(), data, {});
-  });
-  write_report(communicator, folder, page, start, log);
+  report_of_tables(communicator, folder, "a fit", "fit.csv", data_of, log);
 }
 
 }  // namespace stroma

@@ -183,27 +183,28 @@ Wanted wanted_by(const std::string& name, const BoundaryCondition& condition,
 }
 
 /// What a motion of the body asks for: all that this rank has of it, and an element around.
-Wanted wanted_by(const std::string& name, const VectorImages& images, const grid::Grid& body,
-                 const grid::Partition& partition, int rank) {
+Wanted wanted_by(const std::string& name, const mechanics::InitialCondition& condition,
+                 const grid::Grid& body, const grid::Partition& partition, int rank) {
   Extent part = nodes_of_rank(partition, rank);
   for (std::size_t d = 0; d < 3; ++d) {
     part.lower[d] -= body.spacing[d];
     part.upper[d] += body.spacing[d];
   }
   return {"Initial Conditions|" + name + "|Velocity Images",
-          images,
+          *condition.images,
           {true, true, true},
           extent_of(body),
           {part}};
 }
 
-}  // namespace
-
-std::vector<std::shared_ptr<const VectorField>> measured_displacements(
+/// The field of each condition that has images, null of the others. Collective.
+template <class Condition>
+std::vector<std::shared_ptr<const VectorField>> fields_of(
+    const std::vector<std::pair<std::string, Condition>>& conditions,
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
     const grid::Partition& partition, std::vector<std::string>& files) {
   std::vector<std::shared_ptr<const VectorField>> fields;
-  for (const auto& [name, condition] : deck.parameters.boundary_conditions.conditions) {
+  for (const auto& [name, condition] : conditions) {
     fields.emplace_back();
     if (condition.images)
       fields.back() = Reader(communicator, deck, body,
@@ -213,19 +214,20 @@ std::vector<std::shared_ptr<const VectorField>> measured_displacements(
   return fields;
 }
 
+}  // namespace
+
+std::vector<std::shared_ptr<const VectorField>> measured_displacements(
+    const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
+    const grid::Partition& partition, std::vector<std::string>& files) {
+  return fields_of(deck.parameters.boundary_conditions.conditions, communicator, deck, body,
+                   partition, files);
+}
+
 std::vector<std::shared_ptr<const VectorField>> measured_velocities(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
     const grid::Partition& partition, std::vector<std::string>& files) {
-  std::vector<std::shared_ptr<const VectorField>> fields;
-  for (const auto& [name, condition] : deck.parameters.initial_conditions.conditions) {
-    fields.emplace_back();
-    if (condition.images)
-      fields.back() =
-          Reader(communicator, deck, body,
-                 wanted_by(name, *condition.images, body, partition, communicator.rank()))
-              .read(files);
-  }
-  return fields;
+  return fields_of(deck.parameters.initial_conditions.conditions, communicator, deck, body,
+                   partition, files);
 }
 
 }  // namespace stroma

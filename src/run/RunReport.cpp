@@ -20,7 +20,6 @@
 #include "stroma/output/files/Manifest.hpp"
 #include "stroma/output/files/ParticleReader.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
-#include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/files/WriteFile.hpp"
 #include "stroma/output/report/Packed.hpp"
 #include "stroma/output/report/ReportPage.hpp"
@@ -173,6 +172,28 @@ json data_of(const Deck& deck, const output::RunFiles& files,
   return data;
 }
 
+/// Writes report.html whole or not at all, in place of an earlier one, and says where it is.
+/// Collective.
+/// \param page   on rank 0
+/// \param start  when it was begun [s], by MPI_Wtime()
+/// \throws base::InputError when a file of that name is there that is no report
+/// \throws base::RunError
+void write_report(const base::Communicator& communicator, const std::string& folder,
+                  const std::string& page, double start, base::Log& log) {
+  const std::string path = output::RunFiles(folder).file("report.html");
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) && !output::Manifest::begins_as_written(path))
+      throw base::InputError("'" + path + "' is no report of Stroma; move it away, or rename it");
+    output::replace_file(path, page);
+    if (std::filesystem::exists(output::RunFiles(folder).file(".stroma_files"), ignored))
+      output::Manifest(folder).finish({"report.html"});  // the next run may remove it
+  });
+  log.line(base::format("report      %s, %.1f MB, made in %.1f s", path.c_str(),
+                        static_cast<double>(page.size()) * 1e-6, MPI_Wtime() - start));
+}
+
 }  // namespace
 
 json described_supports(const DeckParameters& parameters, const std::array<double, 3>& length) {
@@ -191,22 +212,6 @@ std::string said_in(const std::string& log, const std::string& word) {
     if (line.rfind(word + " ", 0) == 0)
       return line.substr(std::min(line.find_first_not_of(' ', word.size()), line.size()));
   return "";
-}
-
-void write_report(const base::Communicator& communicator, const std::string& folder,
-                  const std::string& page, double start, base::Log& log) {
-  const std::string path = output::RunFiles(folder).file("report.html");
-  base::collectively(communicator, [&] {
-    if (!communicator.is_root()) return;
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) && !output::Manifest::begins_as_written(path))
-      throw base::InputError("'" + path + "' is no report of Stroma; move it away, or rename it");
-    output::replace_file(path, page);
-    if (std::filesystem::exists(output::RunFiles(folder).file(".stroma_files"), ignored))
-      output::Manifest(folder).finish({"report.html"});  // the next run may remove it
-  });
-  log.line(base::format("report      %s, %.1f MB, made in %.1f s", path.c_str(),
-                        static_cast<double>(page.size()) * 1e-6, MPI_Wtime() - start));
 }
 
 void run_report(const base::Communicator& communicator, const std::string& folder, base::Log& log) {
@@ -229,6 +234,22 @@ void run_report(const base::Communicator& communicator, const std::string& folde
     if (!communicator.is_root()) return;
     data["image"] = image;
     page = output::report_page(deck->parameters.title, data, arrays);
+  });
+  write_report(communicator, folder, page, start, log);
+}
+
+void report_of_tables(const base::Communicator& communicator, const std::string& folder,
+                      const std::string& what, const std::string& table,
+                      const std::function<json(const output::RunFiles&)>& data_of, base::Log& log) {
+  const double start = MPI_Wtime();
+  const output::RunFiles files(folder);
+  std::string page;
+  base::collectively(communicator, [&] {
+    if (!std::filesystem::is_regular_file(files.file(table)))
+      throw base::InputError("'" + folder + "' is no folder of " + what + ": it has no " + table);
+    if (!communicator.is_root()) return;
+    const json data = data_of(files);
+    page = output::report_page(data["title"].get<std::string>(), data, {});
   });
   write_report(communicator, folder, page, start, log);
 }

@@ -17,33 +17,32 @@ namespace stroma {
 namespace {
 
 using mechanics::UniformBoundary;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Residual of the linear problems, by their right-hand sides.
 constexpr double tolerance = 1e-11;
 
-/// Column l of stress and strain, of a solved case.
-void find_means(const mechanics::Body& body, const grid::Vector& u, bool knows_strain, int unit,
-                ApparentStiffness& result) {
+double volume_of_box(const mechanics::Body& body) {
   const grid::Grid& box = body.problem().body;
-  const double volume = box.length(0) * box.length(1) * box.length(2);
-  grid::Vector force(u.getMap());
-  mechanics::elastic_force(body, u, force);
-  for (int k = 0; k < 6; ++k) {
-    result.stress(k, unit) = mechanics::unit_displacement(body, k).dot(force) / volume;
-    result.strain(k, unit) =
-        knows_strain ? mechanics::unit_traction(body, k).dot(u) / volume : (k == unit ? 1.0 : 0.0);
-  }
+  return box.length(0) * box.length(1) * box.length(2);
 }
 
-/// Column l of the mean stiffness.
-void find_voigt(const mechanics::Body& body, int unit, ApparentStiffness& result) {
-  const grid::Grid& box = body.problem().body;
-  const double volume = box.length(0) * box.length(1) * box.length(2);
-  const grid::Vector v = mechanics::unit_displacement(body, unit);
-  grid::Vector force(v.getMap());
-  mechanics::elastic_force(body, v, force);
+/// Mean stress of the box under a displacement [Pa].
+Vector6 mean_stress(const mechanics::Body& body, const grid::Vector& u) {
+  grid::Vector force(u.getMap());
+  mechanics::elastic_force(body, u, force);
+  Vector6 stress;
   for (int k = 0; k < 6; ++k)
-    result.voigt(k, unit) = mechanics::unit_displacement(body, k).dot(force) / volume;
+    stress(k) = mechanics::unit_displacement(body, k).dot(force) / volume_of_box(body);
+  return stress;
+}
+
+/// Its mean strain, by what the surface does.
+Vector6 mean_strain(const mechanics::Body& body, const grid::Vector& u) {
+  Vector6 strain;
+  for (int k = 0; k < 6; ++k)
+    strain(k) = mechanics::unit_traction(body, k).dot(u) / volume_of_box(body);
+  return strain;
 }
 
 void solve_cases(const Deck& deck, mechanics::MomentumBalance& balance, UniformBoundary boundary,
@@ -57,10 +56,12 @@ void solve_cases(const Deck& deck, mechanics::MomentumBalance& balance, UniformB
   for (const int unit : cases.units) {
     const grid::Vector load = mechanics::unit_load(balance.body(), boundary, unit);
     solver::solve_refined(linear, balance, at_rest, load, u, tolerance);
-    if (boundary != UniformBoundary::traction)
-      u.update(1.0, mechanics::unit_displacement(balance.body(), unit), 1.0);
-    find_means(balance.body(), u, knows_strain, unit, result);
-    find_voigt(balance.body(), unit, result);
+    const grid::Vector uniform = mechanics::unit_displacement(balance.body(), unit);
+    if (boundary != UniformBoundary::traction) u.update(1.0, uniform, 1.0);
+    result.stress.col(unit) = mean_stress(balance.body(), u);
+    result.strain.col(unit) =
+        knows_strain ? mean_strain(balance.body(), u) : Vector6(Vector6::Unit(unit));
+    result.voigt.col(unit) = mean_stress(balance.body(), uniform);
   }
   result.unknowns += balance.supports().unknowns();
   result.iterations += linear.total_iterations();

@@ -2,8 +2,6 @@
 
 #include "study/StudyReport.hpp"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,10 +9,8 @@
 #include <vector>
 
 #include "run/RunReport.hpp"
-#include "stroma/base/Error.hpp"
 #include "stroma/base/FileContent.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
-#include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/report/ReportPage.hpp"
 
 namespace stroma {
@@ -84,17 +80,7 @@ json data_of(const output::RunFiles& files) {
 
 void study_report(const base::Communicator& communicator, const std::string& folder,
                   base::Log& log) {
-  const double start = MPI_Wtime();
-  const output::RunFiles files(folder);
-  std::string page;
-  base::collectively(communicator, [&] {
-    if (!std::filesystem::is_regular_file(files.file("study.csv")))
-      throw base::InputError("'" + folder + "' is no folder of a study: it has no study.csv");
-    if (!communicator.is_root()) return;
-    const json data = data_of(files);
-    page = output::report_page(data["title"].get<std::string>(), data, {});
-  });
-  write_report(communicator, folder, page, start, log);
+  report_of_tables(communicator, folder, "a study", "study.csv", data_of, log);
 }
 
 }  // namespace stroma

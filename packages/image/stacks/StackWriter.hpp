@@ -58,7 +58,8 @@ std::int64_t planes_of_band(const StackHeader& header);
 /// A TIFF file that is an OME-TIFF and a hyperstack of ImageJ in one: a page a plane, channels
 /// fastest, then z. The first page has two descriptions, OME-XML and then ImageJ's: readers of OME
 /// take the first, ImageJ the last. Channels are named in OME-XML and, as labels of slices, in
-/// ImageJ's tags. A BigTIFF where it may become larger than a classic TIFF can be. Ranks pack their planes, rank 0 writes them. Collective.
+/// ImageJ's tags. A BigTIFF where it may become larger than a classic TIFF can be. Ranks pack their
+/// planes, rank 0 writes them. Collective.
 /// \param communicator  of the ranks whose volumes it takes
 /// \param path          of the file
 /// \param header        what it holds, and how large
