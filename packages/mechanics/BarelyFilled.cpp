@@ -18,6 +18,22 @@ Kokkos::View<double*, grid::Device> missing_in(const MomentumBalance& balance, d
   return missing_volume(balance.body().box(), balance.body().particles(), share);
 }
 
+/// The share of fictitious points in u . force(balance).
+template <class Force>
+double share_in_work(const MomentumBalance& balance, const grid::Vector& u, const Force& force) {
+  Problem problem = balance.problem();
+  problem.method.stabilization = 0.0;
+  MomentumBalance particles_alone(balance.halo().communicator(), balance.halo().partition(),
+                                  balance.body().particles(), problem, 0.0, false);
+  particles_alone.set_load(balance.load());
+  particles_alone.follow(balance);
+  grid::Vector whole(balance.owned_map()), of_particles(balance.owned_map());
+  force(balance, whole);
+  force(particles_alone, of_particles);
+  const double work = u.dot(whole);
+  return work == 0.0 ? 0.0 : 1.0 - u.dot(of_particles) / work;
+}
+
 }  // namespace
 
 std::int64_t count_barely_filled(const MomentumBalance& balance) {
@@ -55,15 +71,16 @@ Kokkos::View<std::uint8_t*, grid::Device> barely_held_elements(const MomentumBal
 }
 
 double stabilization_share(const MomentumBalance& balance, const grid::Vector& u) {
-  Problem problem = balance.problem();
-  problem.method.stabilization = 0.0;
-  const MomentumBalance particles_alone(balance.halo().communicator(), balance.halo().partition(),
-                                        balance.body().particles(), problem, 0.0, false);
-  grid::Vector whole(balance.owned_map()), of_particles(balance.owned_map());
-  balance.internal_force(u, whole);
-  particles_alone.internal_force(u, of_particles);
-  const double work = u.dot(whole);
-  return work == 0.0 ? 0.0 : 1.0 - u.dot(of_particles) / work;
+  return share_in_work(balance, u, [&](const MomentumBalance& of, grid::Vector& force) {
+    of.internal_force(u, force);
+  });
+}
+
+double small_stabilization_share(const MomentumBalance& balance, const grid::Vector& v) {
+  const grid::Vector base(balance.owned_map());
+  return share_in_work(balance, v, [&](const MomentumBalance& of, grid::Vector& force) {
+    of.tangent_times(base, v, force);
+  });
 }
 
 }  // namespace stroma::mechanics

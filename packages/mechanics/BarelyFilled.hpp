@@ -26,5 +26,7 @@ Kokkos::View<std::uint8_t*, grid::Device> barely_held_elements(const MomentumBal
 /// f [-]: to first order what they add to the body's stiffness. Of a grid that is not reset.
 /// Collective.
 double stabilization_share(const MomentumBalance& balance, const grid::Vector& u);
+/// The same of a small displacement v from the base, v . K_fictitious v / v . K v.
+double small_stabilization_share(const MomentumBalance& balance, const grid::Vector& v);
 
 }  // namespace stroma::mechanics

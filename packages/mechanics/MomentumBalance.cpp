@@ -107,6 +107,11 @@ bool MomentumBalance::stress_follows_load() const {
                      [](const auto& term) { return term->remembers(); });
 }
 
+void MomentumBalance::stabilize(double stabilization) {
+  body_.stabilize(stabilization);
+  forget_forces();
+}
+
 void MomentumBalance::forget_forces() {
   forces_at_ = steady_ = Teuchos::null;
   forces_load_.reset();

@@ -150,6 +150,8 @@ class MomentumBalance {
   /// Goes on with a body whose histories were written at one load factor, and which was solved at
   /// another.
   void resume(double history_load, double load);
+  /// Changes the method's stabilization [-], >= 0, from the next force and tangent on.
+  void stabilize(double stabilization);
   /// The body's particles have another state than before: forces are to be evaluated anew.
   void forget_forces();
 

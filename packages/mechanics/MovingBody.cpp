@@ -141,6 +141,11 @@ void MovingBody::resume_motion(const grid::Vector& velocity, const grid::Vector&
   is_predictable_ = motion_.load > 0.0;
 }
 
+void MovingBody::stabilize(double stabilization) {
+  problem_.method.stabilization = stabilization;
+  balance_->stabilize(stabilization);
+}
+
 bool MovingBody::begin_step() {
   if (!motion_.has_news) return false;
   if (motion_.history_load != motion_.load) balance_->accept(*displacement_);

@@ -86,6 +86,8 @@ class MovingBody {
 
   /// Takes a converged displacement since the base.
   void accept(double load, const grid::Vector& u);
+  /// Changes the method's stabilization [-], >= 0; solvers are to be attached anew.
+  void stabilize(double stabilization);
   /// After a failed step: what happened in the last accepted one is no guide.
   void reject() {
     previous_.reset();

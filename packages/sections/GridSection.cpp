@@ -51,10 +51,14 @@ deck::Section<GridParameters> grid_section() {
       "Incremental: each step's deformation on top of the one before. Projected "
       "Displacement: the paper's equations 1 and 2, which put the particles' displacement "
       "on the grid anew in each step, and are wrong at free faces (docs/theory.md).");
-  section.optional("Stabilization", &GridParameters::stabilization, deck::at_least(0.0),
-                   "Stiffness, as a fraction of the real one, of a fictitious material in elements "
-                   "that particles fill by less than half. It keeps nodes in place that the body "
-                   "barely touches; 0: none. Without it: 0.01 with Reset, else 2e-5.");
+  section.optional(
+      "Stabilization", &GridParameters::stabilization, deck::at_least(0.0),
+      "Stiffness, as a fraction of the real one, of a fictitious material in elements "
+      "that particles fill by less than half. It keeps nodes in place that the body "
+      "barely touches; 0: none. Without it: 0.01 with Reset, else 2e-5, but less, down to 2e-6, "
+      "where the body's linear answer to the first step says that it would add more than "
+      "3e-4 to the stiffness, and more, up to 1e-4, where the first step fails and it "
+      "would add less. With inertia 2e-5.");
   section.optional("Plane Strain", &GridParameters::plane_strain, deck::any(),
                    "u_z = 0 everywhere; the grid has one element through z.");
   section.check([](const GridParameters& p, deck::Findings& findings) {

@@ -246,6 +246,8 @@ void write_checkpoint(const base::Communicator& communicator, const std::string&
       std::vector<double>{state.newton.nonlinearity, state.newton.last_relative,
                           state.newton.last_forcing, state.newton.largest_force});
   add_history(arrays, deck, state.results);
+  arrays.shared("grid/stabilization", "of barely filled elements [-]",
+                std::vector<double>{body.balance().problem().method.stabilization});
   if (motion.grid) {
     const grid::Grid& grid = *motion.grid;
     arrays.shared("grid/elements", "x, y, z",
@@ -384,7 +386,13 @@ std::unique_ptr<mechanics::MovingBody> Checkpoint::body(const Specimen& specimen
                                                         const mechanics::Problem& problem) const {
   const base::Stage stage("restart");
   mechanics::Motion motion = motion_;
+  mechanics::Problem as_it_was = problem;
   on_every_rank([&] {
+    // Before the first step is there, it is still to be chosen.
+    if (state_.load.accepted > 0 && file_->has("grid/stabilization"))
+      as_it_was.method.stabilization = file_->value<double>("grid/stabilization");
+    if (!(as_it_was.method.stabilization >= 0.0))
+      throw base::InputError("its stabilization is none");
     if (!file_->has("grid/elements")) return;
     const auto elements = file_->get<std::int64_t>("grid/elements", {{0}, {3}});
     const auto origin = file_->get<double>("grid/origin", {{0}, {3}});
@@ -397,7 +405,7 @@ std::unique_ptr<mechanics::MovingBody> Checkpoint::body(const Specimen& specimen
     }
   });
   auto body = std::make_unique<mechanics::MovingBody>(
-      communicator_, specimen.partition, specimen.particles, problem, motion,
+      communicator_, specimen.partition, specimen.particles, as_it_was, motion,
       [&](particles::Particles<grid::Device>& particles) { restore(particles); });
   const mechanics::MomentumBalance& balance = body->balance();
   grid::Vector u(balance.owned_map()), previous(balance.owned_map());

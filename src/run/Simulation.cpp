@@ -17,6 +17,7 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Memory.hpp"
 #include "stroma/solver/LoadStep.hpp"
+#include "stroma/solver/Stabilization.hpp"
 #include "stroma/solver/StepControl.hpp"
 #include "stroma/solver/TrialSolve.hpp"
 
@@ -58,8 +59,13 @@ struct Run {
   const std::function<void(const AcceptedStep&)>& accepted;
   solver::NewtonMemory learnt =
       {};  ///< in whole tries: what an interrupted one learns does not count
+  /// More than this would show in the forces; unknown where the deck or a checkpoint has set it.
+  std::optional<double> bearable_stabilization = {};
 
   void begin(bool is_restart);
+  void choose_stabilization();
+  void stabilize(double stabilization);
+  bool stabilize_more();
   void take_steps();
   void conclude();
   void stop_early();
@@ -70,6 +76,7 @@ struct Run {
 };
 
 void Run::begin(bool is_restart) {
+  if (load.accepted() == 0) choose_stabilization();
   if (!is_restart) {
     results.write({}, body.balance(), body.displacement());
     return;
@@ -79,6 +86,34 @@ void Run::begin(bool is_restart) {
     results.remove_adopted();
   }
   results.write_missing(body.balance(), body.displacement());
+}
+
+/// Where the deck leaves it open, as far as one base configuration can tell.
+void Run::choose_stabilization() {
+  const DeckParameters& p = deck.parameters;
+  if (p.grid.stabilization || p.grid.reset || p.loading.inertia) return;
+  const auto choice = solver::bearable_stabilization(p.solver, body.balance(), load.next());
+  if (!choice) return;
+  bearable_stabilization = choice->bearable;
+  const double now = body.balance().problem().method.stabilization;
+  if (choice->bearable >= now) return;
+  log.note(base::format("Grid|Stabilization = %g would add %.1e to the stiffness of the body", now,
+                        choice->added));
+  stabilize(choice->bearable);
+}
+
+void Run::stabilize(double stabilization) {
+  log.note(base::format("Grid|Stabilization is %g now", stabilization));
+  body.stabilize(stabilization);
+  newton->attach(body.balance());
+}
+
+/// For a body whose first step failed. \return whether that is worth another try
+bool Run::stabilize_more() {
+  const bool may_be_more = load.accepted() == 0 && bearable_stabilization &&
+                           *bearable_stabilization > body.balance().problem().method.stabilization;
+  if (may_be_more) stabilize(*bearable_stabilization);
+  return may_be_more;
 }
 
 void Run::take_steps() {
@@ -111,8 +146,8 @@ void Run::take_steps() {
   say.stabilization(body);
 }
 
-/// Solves the step to load.next(), or halves it.
-/// \return nothing when it was halved
+/// Solves the step to load.next(), or halves it, or stabilises the body more.
+/// \return nothing when the step is to be tried anew
 /// \throws StepFailed when Loading|Smallest Step forbids it, or the step cannot be begun
 std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& trial) {
   say.begin_step(load);
@@ -129,7 +164,7 @@ std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& t
   } catch (const base::StepRejected& rejected) {
     say.rejected(load.next(), rejected.what());
     body.reject();
-    if (load.reject()) return std::nullopt;
+    if (stabilize_more() || load.reject()) return std::nullopt;
     throw StepFailed(failure(deck, body.balance(), *trial, load, rejected.what(), folder));
   } catch (const base::Interrupted&) {
     throw;

@@ -91,7 +91,7 @@ Body::Body(const base::Communicator& communicator, const grid::Partition& partit
     begins_motion_ = communicator.any(particles::begin_motion(particles_));
   typical_diagonal_ = problem.laws.stiffest_modulus() *
                       std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
-  if (problem.method.stabilization > 0.0) find_fictitious_points(problem.method.stabilization);
+  find_fictitious_points();
 }
 
 Body::Points Body::points(const grid::Vector& u) const {
@@ -134,7 +134,15 @@ Body::NodeCounts Body::elements_around(const Kokkos::View<const std::uint8_t*, D
   return counts;
 }
 
-void Body::find_fictitious_points(double stabilization) {
+void Body::stabilize(double stabilization) {
+  problem_.method.stabilization = stabilization;
+  find_fictitious_points();
+}
+
+void Body::find_fictitious_points() {
+  fictitious_volume_ = {};
+  const double stabilization = problem_.method.stabilization;
+  if (stabilization == 0.0) return;
   const auto missing = missing_volume(box_, particles_);
   const Kokkos::View<float*, Device> volume("fictitious volume", missing.extent(0));
   const double count_of_element = kernels_->fictitious_points();

@@ -132,6 +132,8 @@ class Body {
   /// Lets particles that track their displacement keep it when the nodes' displacement since an
   /// undeformed base is replaced by another.
   void replace_displacement(const grid::Vector& old, const grid::Vector& now);
+  /// Changes the method's stabilization [-], >= 0.
+  void stabilize(double stabilization);
   /// Takes what the particles of the same body on another grid remember (transfer::UpdateHistory).
   void take_history(const Body& other);
   /// The particles at the displaced configuration, in the same order.
@@ -151,7 +153,7 @@ class Body {
   double largest_strain(const grid::Vector& u) const;
 
  private:
-  void find_fictitious_points(double stabilization);
+  void find_fictitious_points();
   /// \param figure  (particle); what is no number is less than any
   WorstParticle worst_by(const Kokkos::View<const double*, Device>& figure) const;
 

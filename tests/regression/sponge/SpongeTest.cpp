@@ -45,6 +45,14 @@ long long largest_solve(const std::string& log) {
   return largest;
 }
 
+/// What stabilisation adds, as a log has it; not a number where it does not say.
+double stated_share(const std::string& log) {
+  const std::string key = "Stabilization adds ";
+  const std::size_t at = log.find(key);
+  EXPECT_NE(at, std::string::npos) << log;
+  return at == std::string::npos ? NAN : std::stod(log.substr(at + key.size()));
+}
+
 class Sponge : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Ranks, Sponge, ::testing::Values(1, 2));
 
@@ -59,6 +67,35 @@ TEST_P(Sponge, RunsByDefault) {
   const long long most = largest_solve(log);
   EXPECT_GT(most, 0);
   EXPECT_LE(most, 40);
+}
+
+/// Settings for another sponge of the folder, of so many voxels along an edge.
+std::string sponge_of(const std::string& file, int voxels) {
+  const std::string n = std::to_string(voxels / 2);
+  return "--set 'Image|File=" + file + "' --set 'Grid|Elements=[" + n + ", " + n + ", " + n + "]'";
+}
+
+/// Struts that hang together by hinges, which 2e-5 stiffens by 2.2e-3.
+TEST_P(Sponge, IsStabilisedLessWhereThatWouldShow) {  // V-STAB-4
+  constexpr double direct = 1.389447665e11;  // by Direct, without stabilisation, in 13 steps [pN]
+  const SpongeRun sponge = run(sponge_of("hinges.nrrd", 24), GetParam());
+  const std::string& log = sponge.outcome.standard_output;
+  ASSERT_EQ(sponge.outcome.status, 0) << sponge.outcome.standard_error;
+  EXPECT_NEAR(sponge.force, direct, 1e-3 * direct);
+  EXPECT_NE(log.find("2e-05 would add 1.5e-03 to the stiffness"), std::string::npos) << log;
+  EXPECT_NE(log.find("Grid|Stabilization is 4e-06 now"), std::string::npos) << log;
+  RecordProperty("departure", std::to_string(sponge.force / direct - 1.0));
+}
+
+/// A corner that buckles in the first step with 2e-5.
+TEST_P(Sponge, IsStabilisedMoreWhereTheFirstStepFails) {  // V-STAB-5
+  const SpongeRun sponge = run(sponge_of("corners.nrrd", 40), GetParam());
+  const std::string& log = sponge.outcome.standard_output;
+  ASSERT_EQ(sponge.outcome.status, 0) << sponge.outcome.standard_error;
+  EXPECT_NE(log.find("Grid|Stabilization is 4e-05 now"), std::string::npos) << log;
+  EXPECT_EQ(log.find(" rejected"), log.rfind(" rejected")) << log;
+  EXPECT_NE(log.find("step   1   load 1.0000"), std::string::npos) << log;
+  EXPECT_LE(largest_solve(log), 40);
 }
 
 /// A gyroid in a cube of 1.5 periods along an edge, 40 % solid, as signed bytes: 0 solid, -1 empty.
@@ -91,12 +128,8 @@ Stabilized pull_gyroid(const TemporaryFolder& folder, int voxels, double stabili
                          "]' --set 'Grid|Stabilization=" + std::to_string(stabilization) + "'");
   EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
   if (outcome.status != 0) return {};
-  const std::string key = "Stabilization adds ";
-  const std::size_t at = outcome.standard_output.find(key);
-  EXPECT_NE(at, std::string::npos) << outcome.standard_output;
-  if (at == std::string::npos) return {};
   return {History(folder / "deck/history.csv")["top.reaction_z"].back(),
-          std::stod(outcome.standard_output.substr(at + key.size()))};
+          stated_share(outcome.standard_output)};
 }
 
 TEST(Stabilization, HasTheEffectThatTheRunStatesAndLessOnFinerGrids) {  // V-STAB-3
@@ -112,6 +145,46 @@ TEST(Stabilization, HasTheEffectThatTheRunStatesAndLessOnFinerGrids) {  // V-STA
     coarser = measured;
     RecordProperty("effect" + std::to_string(voxels), std::to_string(measured));
   }
+}
+
+/// The share is that of a body with all its stresses: driven ones, and those that it remembers.
+TEST(Stabilization, IsStatedForBodiesThatContractOrRelax) {  // V-STAB-3
+  for (const char* settings :
+       {"--set 'Materials|bone|Active Stress|T0 [Pa]=1000000' "
+        "--set 'Materials|bone|Active Stress|Kind=Isotropic'",
+        "--set 'Materials|bone|Viscosity|Moduli=[0.9]' --set 'Loading|Duration [s]=1' "
+        "--set 'Materials|bone|Viscosity|Relaxation Times [s]=[0.05]'"}) {
+    const SpongeRun sponge = run(settings, 1);
+    ASSERT_EQ(sponge.outcome.status, 0) << sponge.outcome.standard_error;
+    EXPECT_NEAR(stated_share(sponge.outcome.standard_output), 1.2e-4, 3e-5) << settings;
+  }
+}
+
+/// Runs the sponge with hinges to some of two seconds.
+History pull_slowly(const TemporaryFolder& folder, const std::string& name,
+                    const std::string& times, const std::string& options = "") {
+  const std::string deck = content_of(folder / "deck.yaml");
+  folder.write(name + ".yaml", deck.substr(0, deck.find("  Loading")) + R"(      Load Curve: pull
+  Load Curves:
+    pull: {"Times [s]": [0, 2], Values: [0, 1]}
+  Loading: {"Times [s]": )" + times +
+                                   "}\n");
+  const Outcome outcome = run_stroma(
+      folder.path(), "run " + name + ".yaml -o " + name + " " + sponge_of("hinges.nrrd", 24) +
+                         " --set 'Output|Checkpoint Every=1' " + options);
+  EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+  return History(folder / (name + "/history.csv"));
+}
+
+TEST(Stabilization, StaysWhatItIsWhenARunGoesOn) {  // V-STAB-6
+  const TemporaryFolder folder;
+  fs::copy(fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/sponge", folder.path(),
+           fs::copy_options::recursive);
+  const History whole = pull_slowly(folder, "whole", "[1.0, 2.0]");
+  pull_slowly(folder, "part", "[1.0]");
+  const History both = pull_slowly(folder, "part", "[1.0, 2.0]", "--restart");
+  ASSERT_EQ(both.rows(), 3U);
+  EXPECT_EQ(both["top.reaction_z"], whole["top.reaction_z"]);
 }
 
 }  // namespace
