@@ -72,7 +72,11 @@ MomentumBalance::Terms MomentumBalance::terms_of(const Problem& problem) {
     inertia_ = inertia.get();
     terms.push_back(std::move(inertia));
   }
-  if (has_springs(problem)) terms.push_back(std::make_unique<Springs>(body_));
+  if (has_springs(problem)) {
+    auto springs = std::make_unique<Springs>(body_);
+    springs_ = springs.get();
+    terms.push_back(std::move(springs));
+  }
   if (has_dead_forces(problem)) terms.push_back(std::make_unique<DeadForces>(body_));
   for (const auto& make : problem.terms) terms.push_back(make(body_));
   return terms;
@@ -209,6 +213,27 @@ std::vector<double> MomentumBalance::torques(const grid::Vector& u) {
   for (std::size_t m = 0; m < all.size(); ++m)
     if (turns(conditions[m])) of_those_that_turn.push_back(all[m]);
   return of_those_that_turn;
+}
+
+void MomentumBalance::begin_pulling(const grid::Vector& u) {
+  if (springs_ == nullptr) return;
+  springs_->begin_pulling(state(u));
+  forces_load_.reset();
+}
+
+bool MomentumBalance::pull_on(const grid::Vector& u, double share) {
+  if (springs_ == nullptr) return false;
+  const ForceBalance& at_u = forces(u);
+  constexpr double much = 1e4;  // times what rounding leaves
+  if (at_u.scale <= much * at_u.rounding || springs_->slack(state(u)) <= share * at_u.scale)
+    return false;
+  springs_->pull_on(state(u));
+  forces_load_.reset();
+  return true;
+}
+
+double MomentumBalance::distance_of_faces(const grid::Vector& u) const {
+  return springs_ == nullptr ? 0.0 : springs_->distance(state(u));
 }
 
 double MomentumBalance::support_energy(const grid::Vector& u) const {

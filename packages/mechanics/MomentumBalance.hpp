@@ -15,6 +15,7 @@
 #include "stroma/mechanics/body/Body.hpp"
 #include "stroma/mechanics/conditions/Supports.hpp"
 #include "stroma/mechanics/terms/Inertia.hpp"
+#include "stroma/mechanics/terms/Springs.hpp"
 #include "stroma/tangent/StencilMatrix.hpp"
 #include "stroma/tangent/TangentMatrix.hpp"
 
@@ -99,6 +100,16 @@ class MomentumBalance {
   std::vector<double> torques(const grid::Vector& u);
   /// Energy that supports store because they pull [aJ] (Springs); 0 without any.
   double support_energy(const grid::Vector& u) const;
+  /// Whether conditions are imposed by springs that pull on.
+  bool has_springs_that_pull_on() const { return springs_ != nullptr && springs_->some_pull_on(); }
+  /// Lets springs that pull on begin with the stress at a displacement (Springs); before the first
+  /// solution of a step.
+  void begin_pulling(const grid::Vector& u);
+  /// Whether such springs miss more at a solution than `share` of the forces, and not by rounding
+  /// alone: then they pull on, and there is another balance to be solved.
+  bool pull_on(const grid::Vector& u, double share);
+  /// How far they are from where conditions want faces [um] (Springs::distance).
+  double distance_of_faces(const grid::Vector& u) const;
   /// The internal force alone, of stress [pN], evaluated anew.
   /// \return ForceBalance::inverted
   std::int64_t internal_force(const grid::Vector& u, grid::Vector& force) const;
@@ -171,7 +182,8 @@ class MomentumBalance {
   Body body_;
   double base_load_, load_;
   double history_load_;         // at which histories were written last
-  Inertia* inertia_ = nullptr;  // one of the terms
+  Inertia* inertia_ = nullptr;  // one of the terms, as the next
+  Springs* springs_ = nullptr;
   Terms terms_;
   double stiffest_diagonal_;  // [pN/um]
   std::unique_ptr<Supports> supports_;

@@ -9,7 +9,7 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/base/Stage.hpp"
-#include "stroma/grid/ShapeGrid.hpp"
+#include "stroma/mechanics/body/FittedGrid.hpp"
 #include "stroma/particles/Migration.hpp"
 
 namespace stroma::mechanics {
@@ -37,54 +37,6 @@ particles::Particles<grid::Device> start_of(const base::Communicator& communicat
   particles::make_movable(communicator, particles);
   if (!problem.method.reset) particles.base_gradient = {};  // the base stays the undeformed body
   return particles;
-}
-
-/// Whether a condition holds the nodes of a plane across axis d.
-bool holds_plane(const Problem& problem, int d, bool is_upper_end) {
-  return std::any_of(problem.conditions.begin(), problem.conditions.end(), [&](const auto& named) {
-    const BoundaryCondition& condition = named.second;
-    return problem.imposed_by(condition) == ImposedBy::nodes && axis_of(*condition.face) == d &&
-           is_upper(*condition.face) == is_upper_end;
-  });
-}
-
-/// Adds a knot at an end beyond which particles lie too far: functions are negative there, and the
-/// masses of nodes would be with them. Not where a plane is held at its nodes.
-void enclose(const Problem& problem, const particles::ParticleExtent& extent, grid::Grid& grid) {
-  constexpr double share = 0.1;  // of an element
-  for (int d = 0; d < 3; ++d) {
-    if (!grid.centered || (grid.flat && d == 2)) continue;
-    const auto i = static_cast<std::size_t>(d);
-    const double h = grid.spacing[i], first = grid.origin[i] + 0.5 * h,
-                 last = first + static_cast<double>(grid.elements[i] - 1) * h;
-    if (extent.lowest[i] + share * h < first && !holds_plane(problem, d, false)) {
-      grid.origin[i] -= h;
-      ++grid.elements[i];
-    }
-    if (extent.highest[i] - share * h > last && !holds_plane(problem, d, true)) ++grid.elements[i];
-  }
-}
-
-/// The grid that covers the particles. Its last knot lies where particles end, to half an element,
-/// but for a plane that is held at its nodes: that has a knot.
-grid::Grid grid_under(const base::Communicator& communicator, const Problem& problem,
-                      const particles::Particles<grid::Device>& particles) {
-  grid::Grid grid = particles::covering_grid(
-      communicator, grid::grid_for(problem.method.shape_functions, problem.body), particles);
-  for (const auto& named : problem.conditions) {
-    const BoundaryCondition& condition = named.second;
-    if (!grid.centered || problem.imposed_by(condition) != ImposedBy::nodes) continue;
-    const int d = axis_of(*condition.face);
-    if (d < 0 || grid.beyond(d) == 0) continue;
-    const auto i = static_cast<std::size_t>(d);
-    const double plane =
-        problem.body.origin[i] + (is_upper(*condition.face) ? problem.body.length(d) : 0.0);
-    const std::int64_t knot = std::llround((plane - grid.origin[i]) / grid.spacing[i] - 0.5);
-    if (knot == -1) grid.origin[i] -= grid.spacing[i];
-    if (knot == -1 || knot == grid.elements[i]) ++grid.elements[i];
-  }
-  if (problem.dynamics) enclose(problem, particles::extent_of(communicator, particles), grid);
-  return grid;
 }
 
 }  // namespace
@@ -160,7 +112,8 @@ bool MovingBody::begin_step() {
 void MovingBody::reset_grid() {
   const base::Stage stage("grid reset");
   auto moved = balance_->body().moved_particles(*displacement_);
-  const grid::Grid grid = grid_under(communicator_, problem_, moved);
+  const grid::Grid grid = fitted_grid(communicator_, problem_, motion_.load,
+                                      balance_->halo().partition().grid(), moved);
   const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
   moved = particles::migrate(communicator_, partition, moved);
   try {

@@ -49,16 +49,25 @@ void make_movable(const base::Communicator& communicator, Particles<grid::Device
 }
 
 ParticleExtent extent_of(const base::Communicator& communicator,
-                         const Particles<grid::Device>& particles) {
+                         const Particles<grid::Device>& particles,
+                         const std::array<double, 3>& half_edge) {
   const auto position =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.position);
+  const auto gradient =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.base_gradient);
+  const bool has_gradient = gradient.extent(0) != 0;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ParticleExtent extent;
   for (int d = 0; d < 3; ++d) {
     double lowest = infinity, highest = -infinity;
     for (int p = 0; p < particles.count(); ++p) {
-      lowest = std::min(lowest, position(p, d));
-      highest = std::max(highest, position(p, d));
+      double reach = 0.0;
+      for (int e = 0; e < 3; ++e) {
+        const double F = (d == e ? 1.0 : 0.0) + (has_gradient ? gradient(p, d, e) : 0.0);
+        reach += std::abs(F) * half_edge[static_cast<std::size_t>(e)];
+      }
+      lowest = std::min(lowest, position(p, d) - reach);
+      highest = std::max(highest, position(p, d) + reach);
     }
     extent.lowest[d] = communicator.min(lowest);
     extent.highest[d] = communicator.max(highest);
@@ -67,7 +76,7 @@ ParticleExtent extent_of(const base::Communicator& communicator,
 }
 
 grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
-                         const Particles<grid::Device>& particles) {
+                         const Particles<grid::Device>& particles, const FixedEnds& fixed) {
   const ParticleExtent extent = extent_of(communicator, particles);
   grid::Grid grid = body;
   double elements = 1.0;
@@ -79,9 +88,12 @@ grid::Grid covering_grid(const base::Communicator& communicator, const grid::Gri
       throw base::RunError(base::format(
           "the particles are spread from %g to %g um along %c: some must have got lost", lowest,
           highest, "xyz"[d]));
-    const std::int64_t first = element_along(body, d, lowest);
+    const auto& [is_lower_fixed, is_upper_fixed] = fixed[static_cast<std::size_t>(d)];
+    const std::int64_t first = is_lower_fixed ? 0 : element_along(body, d, lowest);
+    const std::int64_t last =
+        is_upper_fixed ? body.elements[d] - 1 : element_along(body, d, highest);
     grid.origin[d] = body.origin[d] + static_cast<double>(first) * body.spacing[d];
-    grid.elements[d] = element_along(body, d, highest) - first + 1;
+    grid.elements[d] = last - first + 1;
     if (grid.centered && grid.elements[d] == 1) grid.elements[d] = 2;
   }
   return grid;

@@ -32,19 +32,25 @@ void make_movable(const base::Communicator& communicator, Particles<grid::Device
 struct ParticleExtent {
   std::array<double, 3> lowest, highest;
 };
-/// Collective.
+/// Of the particles, x, or with a half edge r > 0 [um] of the boxes that they stand for, which
+/// deform with them: x_d -+ sum over e of |F_de| r_e. Collective.
 ParticleExtent extent_of(const base::Communicator& communicator,
-                         const Particles<grid::Device>& particles);
+                         const Particles<grid::Device>& particles,
+                         const std::array<double, 3>& half_edge = {});
+
+/// For each axis, whether a grid's lower and upper end stay where they are.
+using FixedEnds = std::array<std::array<bool, 2>, 3>;
 
 /// The smallest box of elements of a lattice that holds the particles of all ranks. The lattice is
 /// that of `body`, continued without end in each direction; so the grid follows the body wherever
-/// it goes. A particle on the face between two elements belongs to the upper one. Plane strain
-/// keeps its one layer; of elements that are centred at knots there are two at least. Collective.
+/// it goes, but for ends that are fixed. A particle on the face between two elements belongs to the
+/// upper one. Plane strain keeps its one layer; of elements that are centred at knots there are two
+/// at least. Collective.
 ///
 /// \throws base::RunError when the body is spread so far (over 64 times the elements of `body`)
 ///         that a particle must have got lost
 grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
-                         const Particles<grid::Device>& particles);
+                         const Particles<grid::Device>& particles, const FixedEnds& fixed = {});
 
 /// Boxes of elements with about equal numbers of particles. Collective.
 /// \throws base::RunError when the grid has become too small for so many ranks

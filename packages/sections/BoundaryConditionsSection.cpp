@@ -43,17 +43,18 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
                      "A point on the axis of Rotation [deg]. Without it: the middle of the body's "
                      "box.");
   condition.choice("Imposed By", &BoundaryCondition::imposed_by, ways_of_imposing(),
-                   "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay in "
-                   "its plane (its normal displacement is prescribed as zero). Grip: the particles "
-                   "within one element of the face at load 0 are moved, with all nodes that they "
-                   "touch. Penalty: springs move points of the face that ride beside the outermost "
-                   "particles; for every shape function, with Grid|Reset and without. Without it: "
-                   "Nodes, or Grip with Grid|Reset.");
+                   "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay a "
+                   "plane across its axis (its normal displacement is prescribed, the same "
+                   "everywhere on it, by this condition or another one), and the lattice follows "
+                   "it. Grip: the particles within one element of the face at load 0 are moved, "
+                   "with all nodes that they touch. Penalty: springs move points of the face that "
+                   "ride beside the outermost particles; for every shape function, with Grid|Reset "
+                   "and without. Without it: Nodes, or Penalty where these cannot.");
   condition.optional(
       "Penalty Factor", &BoundaryCondition::penalty_factor, deck::positive(),
       "Stiffness of the springs of Imposed By = Penalty: per area, Penalty Factor * (K + 4/3 mu) / "
       "length of the body along the face's normal. They lower the force by about 1 / Penalty "
-      "Factor. Without it: 2e4.");
+      "Factor. Without it: softer springs, which pull on until the face is where it should be.");
   condition.optional(
       "Load Curve", &BoundaryCondition::load_curve, deck::not_empty(),
       "The name of one of the Load Curves, by which the value is multiplied; without "

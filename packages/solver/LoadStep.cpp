@@ -15,6 +15,27 @@ void begin_step(mechanics::MovingBody& body, NewtonSolver& newton) {
 
 namespace {
 
+/// Solves; springs that pull on do so between Newton iterations, until faces are where conditions
+/// want them, or as often as makes them as good as stiff ones: what they hardly feel of a face comes
+/// slowly.
+NewtonResult solve_pulling(mechanics::MomentumBalance& balance, NewtonSolver& newton,
+                           grid::Vector& trial) {
+  constexpr double enough = 1e-3;  // of the forces: what springs may miss, and residuals on the way
+  constexpr int most_pulls = 8;
+  if (!balance.has_springs_that_pull_on()) return newton.solve(trial);
+  NewtonResult before;
+  for (int pulls = 0; pulls == 0 || (pulls <= most_pulls && balance.pull_on(trial, enough));
+       ++pulls) {
+    const NewtonResult on_the_way = newton.solve(trial, enough);
+    before.iterations += on_the_way.iterations;
+    before.linear_iterations += on_the_way.linear_iterations;
+  }
+  NewtonResult result = newton.solve(trial);
+  result.iterations += before.iterations;
+  result.linear_iterations += before.linear_iterations;
+  return result;
+}
+
 /// A step of a body with inertia: solved where the scheme has the balance, and brought to its end.
 NewtonResult solve_time_step(mechanics::MovingBody& body, NewtonSolver& newton, double load,
                              grid::Vector& trial) {
@@ -29,7 +50,7 @@ NewtonResult solve_time_step(mechanics::MovingBody& body, NewtonSolver& newton, 
     newton.predict(trial, balance.supports().change(at, trial));
   }
   balance.supports().impose(at, trial);
-  NewtonResult result = newton.solve(trial);
+  NewtonResult result = solve_pulling(balance, newton, trial);
   if (at != load) {
     inertia.go_to_end(trial);
     balance.set_load(load);
@@ -48,6 +69,7 @@ NewtonResult solve_step(mechanics::MovingBody& body, NewtonSolver& newton, doubl
   mechanics::MomentumBalance& balance = body.balance();
   NewtonResult result;
   base::run_foreign(balance.halo().communicator(), [&] {
+    balance.begin_pulling(body.displacement());
     if (balance.inertia() != nullptr) {
       result = solve_time_step(body, newton, load, trial);
       return;
@@ -60,7 +82,7 @@ NewtonResult solve_step(mechanics::MovingBody& body, NewtonSolver& newton, doubl
       newton.predict(trial, balance.supports().change(load, trial));
     }
     balance.supports().impose(load, trial);
-    result = newton.solve(trial);
+    result = solve_pulling(balance, newton, trial);
   });
   return result;
 }

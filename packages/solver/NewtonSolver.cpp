@@ -84,7 +84,7 @@ void NewtonSolver::attach(mechanics::MomentumBalance& balance) {
 /// than its nonlinear one, which Newton's quadratic order tells from the last steps, nor than what
 /// convergence asks for. A digit costs a good preconditioner little more than one iteration and
 /// another Newton step an assembly, so that in doubt the step is solved better.
-void NewtonSolver::choose_forcing(double now) {
+void NewtonSolver::choose_forcing(double now, double tolerance) {
   const double before = std::exchange(memory_.last_relative, now);
   if (parameters_.forcing == Forcing::constant) return;
   if (residual_history_.size() > 1) {
@@ -94,9 +94,7 @@ void NewtonSolver::choose_forcing(double now) {
       memory_.nonlinearity = is_nonlinear ? seen : std::min(memory_.nonlinearity, seen);
   }
   const double nonlinear_error = memory_.nonlinearity * now * now;
-  const double goal = nonlinear_error < parameters_.newton_tolerance
-                          ? 0.01 * parameters_.newton_tolerance
-                          : 0.1 * nonlinear_error;
+  const double goal = nonlinear_error < tolerance ? 0.01 * tolerance : 0.1 * nonlinear_error;
   const double loosest = loosest_forcing();
   memory_.last_forcing =
       now > 0.0 ? std::max(std::min(goal / now, loosest), parameters_.linear_tolerance) : loosest;
@@ -122,12 +120,13 @@ double NewtonSolver::force_scale(double now, double size, double& seen) const {
   return bears_some && seen > 2.0 * borne ? borne : seen;
 }
 
-NewtonResult NewtonSolver::solve(grid::Vector& u) {
+NewtonResult NewtonSolver::solve(grid::Vector& u, double enough) {
   if (!balance_->supports().are_imposed(balance_->load(), u, 1e-9))
     throw std::logic_error(
         "the prescribed components of the displacement are not those of the balance's load");
   balance_->supports().impose(balance_->load(), u);  // to the last bit
   residual_history_.clear();
+  const double tolerance = std::max(parameters_.newton_tolerance, enough);
   bool only_rounding_is_left = false;
   double hold = 0.0, seen = memory_.largest_force, scale = memory_.largest_force;
   const auto is_good = [&](const NOX::Abstract::Group& group) {
@@ -137,10 +136,10 @@ NewtonResult NewtonSolver::solve(grid::Vector& u) {
     scale = force_scale(forces.scale, at->norm2(), seen);
     const double norm = group.getNormF();
     const double relative = norm == 0.0 ? 0.0 : norm / scale;
-    const bool is_small = relative <= parameters_.newton_tolerance;
+    const bool is_small = relative <= tolerance;
     only_rounding_is_left = !is_small && norm <= forces.rounding;
     residual_history_.push_back(relative);
-    choose_forcing(only_rounding_is_left ? 0.0 : relative);
+    choose_forcing(only_rounding_is_left ? 0.0 : relative, tolerance);
     if (progress_)
       progress_(static_cast<int>(residual_history_.size()) - 1, relative,
                 linear_solver_->total_iterations() - reported_iterations_);

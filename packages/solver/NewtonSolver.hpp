@@ -54,10 +54,12 @@ class NewtonSolver {
   /// force scale (reactions, external force) of this and all earlier calls, or until nothing but
   /// rounding is left of it: that must be small against the forces, unless there are none (a body
   /// that moves without strain). Collective.
+  /// \param u       where to start, and what is found [um]
+  /// \param enough  stops at this relative residual, if it is larger than the tolerance
   /// \throws std::logic_error when prescribed components are not those of the load
   /// \throws base::StepRejected when it does not converge, when rounding is as large as the forces,
   ///         or when particles are turned inside out; u then holds the last iterate
-  NewtonResult solve(grid::Vector& u);
+  NewtonResult solve(grid::Vector& u, double enough = 0.0);
 
   /// Predicts by the tangent: u + du with du the given change of the prescribed components and, at
   /// the others, K du = -residual(u). For the first step of a run, which has no past to
@@ -89,7 +91,7 @@ class NewtonSolver {
   Progress progress_;
   std::unique_ptr<LinearSolver> linear_solver_;
   Teuchos::RCP<ThyraModel> model_;
-  void choose_forcing(double now);
+  void choose_forcing(double now, double tolerance);
   double loosest_forcing() const;
   double force_scale(double now, double size, double& seen) const;
   void check_rounding(const grid::Vector& u) const;

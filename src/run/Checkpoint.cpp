@@ -254,6 +254,8 @@ void write_checkpoint(const base::Communicator& communicator, const std::string&
                   std::vector<std::int64_t>{grid.elements[0], grid.elements[1], grid.elements[2]});
     arrays.shared("grid/origin", "x, y, z [um]",
                   std::vector<double>{grid.origin[0], grid.origin[1], grid.origin[2]});
+    arrays.shared("grid/spacing", "x, y, z [um]",
+                  std::vector<double>{grid.spacing[0], grid.spacing[1], grid.spacing[2]});
   }
   const char* about = "(z, y, x of the node, component) since the base configuration [um]";
   arrays.nodes("displacement", about, body.displacement(), partition);
@@ -396,12 +398,14 @@ std::unique_ptr<mechanics::MovingBody> Checkpoint::body(const Specimen& specimen
     if (!file_->has("grid/elements")) return;
     const auto elements = file_->get<std::int64_t>("grid/elements", {{0}, {3}});
     const auto origin = file_->get<double>("grid/origin", {{0}, {3}});
+    const auto spacing = file_->get<double>("grid/spacing", {{0}, {3}});
     motion.grid = grid::grid_for(problem.method.shape_functions, problem.body);
     for (std::size_t d = 0; d < 3; ++d) {
       if (elements[d] < 1 || elements[d] > (std::int64_t{1} << 31))
         throw base::InputError("its grid is none");
       motion.grid->elements[d] = elements[d];
       motion.grid->origin[d] = origin[d];
+      motion.grid->spacing[d] = spacing[d];
     }
   });
   auto body = std::make_unique<mechanics::MovingBody>(

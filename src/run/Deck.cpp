@@ -167,12 +167,17 @@ void attach_load_curves(DeckParameters& p) {
   attach(p.external_forces.forces);
 }
 
-/// Images tell where the points of the undeformed body go, and a grid that is reset forgets those.
-void refuse_displacement_images_with_reset(const DeckParameters& p, deck::Findings& findings) {
+/// Images tell where the points of the undeformed body go, and the nodes of a grid that is reset are
+/// none.
+void refuse_displacement_images_at_nodes_with_reset(const DeckParameters& p,
+                                                    deck::Findings& findings) {
+  using mechanics::ImposedBy;
   for (const auto& [name, condition] : p.boundary_conditions.conditions)
-    if (condition.images && p.grid.reset)
+    if (condition.images && p.grid.reset &&
+        condition.imposed_by.value_or(ImposedBy::penalty) != ImposedBy::penalty)
       findings.add("Boundary Conditions|" + name + "|Displacement Images",
-                   "are not for a grid that is reset; admissible with them: Grid|Reset = false");
+                   "move no nodes of a grid that is reset; admissible with them: Imposed By = "
+                   "Penalty, or Grid|Reset = false");
 }
 
 /// A mean dilatation asks for laws with an energy of volume.
@@ -247,7 +252,7 @@ deck::Section<DeckParameters> deck_section() {
   section.check(refuse_fields_without_intensities);
   section.check(refuse_unknown_load_curves);
   section.check(refuse_viscosity_without_time);
-  section.check(refuse_displacement_images_with_reset);
+  section.check(refuse_displacement_images_at_nodes_with_reset);
   section.check(refuse_what_inertia_lacks);
   section.check(refuse_what_stiffness_has_not);
   section.check(refuse_mean_without_energy_of_volume);

@@ -31,10 +31,6 @@ bool is_empty(const Extent& extent) {
   return false;
 }
 
-bool is_on(const BoundaryCondition& condition, Face face) {
-  return *condition.face == face || *condition.face == Face::all;
-}
-
 /// Part of a face of the body's box, and of what lies beside it as deep as particles in the
 /// outermost elements touch nodes.
 /// \param within    where a rank's nodes are
@@ -49,8 +45,7 @@ Extent layer_at(Face face, const grid::Grid& body, const Extent& within, int ele
   return layer;
 }
 
-Extent nodes_of_rank(const grid::Partition& partition, int rank) {
-  const grid::Box nodes = partition.touched_nodes(rank);
+Extent extent_of_nodes(const grid::Partition& partition, const grid::Box& nodes) {
   grid::Index3 last = nodes.end;
   for (auto& index : last) --index;
   return {partition.grid().node_position(nodes.begin), partition.grid().node_position(last)};
@@ -162,8 +157,9 @@ Extent extent_of(const grid::Grid& body) {
 }
 
 /// What a condition asks for: its faces, and a layer beside them.
+/// \param part  what this rank may have of the body
 Wanted wanted_by(const std::string& name, const BoundaryCondition& condition,
-                 const grid::Grid& body, const grid::Partition& partition, int rank) {
+                 const grid::Grid& body, const Extent& part, int elements) {
   Wanted wanted{"Boundary Conditions|" + name + "|Displacement Images",
                 *condition.images,
                 {condition.prescribes(0), condition.prescribes(1), condition.prescribes(2)},
@@ -176,19 +172,17 @@ Wanted wanted_by(const std::string& name, const BoundaryCondition& condition,
         mechanics::is_upper(*condition.face) ? all.upper[d] : all.lower[d];
   }
   for (int face = 0; face < 6; ++face)
-    if (is_on(condition, static_cast<Face>(face)))
-      wanted.parts.push_back(layer_at(static_cast<Face>(face), body, nodes_of_rank(partition, rank),
-                                      partition.grid().width - 1));
+    if (condition.applies_to(static_cast<Face>(face)))
+      wanted.parts.push_back(layer_at(static_cast<Face>(face), body, part, elements));
   return wanted;
 }
 
-/// What a motion of the body asks for: all that this rank has of it, and an element around.
+/// What a motion of the body asks for: all that this rank has of it, and elements around.
 Wanted wanted_by(const std::string& name, const mechanics::InitialCondition& condition,
-                 const grid::Grid& body, const grid::Partition& partition, int rank) {
-  Extent part = nodes_of_rank(partition, rank);
+                 const grid::Grid& body, Extent part, int elements) {
   for (std::size_t d = 0; d < 3; ++d) {
-    part.lower[d] -= body.spacing[d];
-    part.upper[d] += body.spacing[d];
+    part.lower[d] -= elements * body.spacing[d];
+    part.upper[d] += elements * body.spacing[d];
   }
   return {"Initial Conditions|" + name + "|Velocity Images",
           *condition.images,
@@ -198,18 +192,20 @@ Wanted wanted_by(const std::string& name, const mechanics::InitialCondition& con
 }
 
 /// The field of each condition that has images, null of the others. Collective.
+/// \param nodes     what this rank may have of the body
+/// \param elements  how far beyond it the rank looks
 template <class Condition>
 std::vector<std::shared_ptr<const VectorField>> fields_of(
     const std::vector<std::pair<std::string, Condition>>& conditions,
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
-    const grid::Partition& partition, std::vector<std::string>& files) {
+    const Extent& nodes, int elements, std::vector<std::string>& files) {
   std::vector<std::shared_ptr<const VectorField>> fields;
   for (const auto& [name, condition] : conditions) {
     fields.emplace_back();
     if (condition.images)
-      fields.back() = Reader(communicator, deck, body,
-                             wanted_by(name, condition, body, partition, communicator.rank()))
-                          .read(files);
+      fields.back() =
+          Reader(communicator, deck, body, wanted_by(name, condition, body, nodes, elements))
+              .read(files);
   }
   return fields;
 }
@@ -219,15 +215,19 @@ std::vector<std::shared_ptr<const VectorField>> fields_of(
 std::vector<std::shared_ptr<const VectorField>> measured_displacements(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
     const grid::Partition& partition, std::vector<std::string>& files) {
+  // On a grid that is reset, a rank's particles may become those of any other part of the body.
+  const grid::Box nodes = deck.parameters.grid.reset ? partition.grid().all_nodes()
+                                                     : partition.touched_nodes(communicator.rank());
   return fields_of(deck.parameters.boundary_conditions.conditions, communicator, deck, body,
-                   partition, files);
+                   extent_of_nodes(partition, nodes), partition.grid().width - 1, files);
 }
 
 std::vector<std::shared_ptr<const VectorField>> measured_velocities(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
     const grid::Partition& partition, std::vector<std::string>& files) {
+  const grid::Box nodes = partition.touched_nodes(communicator.rank());
   return fields_of(deck.parameters.initial_conditions.conditions, communicator, deck, body,
-                   partition, files);
+                   extent_of_nodes(partition, nodes), 1, files);
 }
 
 }  // namespace stroma

@@ -17,7 +17,7 @@ namespace stroma {
 
 /// The displacement of each condition that has images, null of the others. Each rank reads a slab of
 /// an image, one image at a time, and keeps the voxels around what it has of the condition's faces,
-/// an element deep. Collective.
+/// an element deep; with Grid|Reset, around all of them. Collective.
 /// \param communicator  of the ranks that share the body
 /// \param deck          it names the images
 /// \param body          the grid that fills the body's box

@@ -25,6 +25,12 @@ std::string readable_force(double force) {
 /// How much the springs of conditions imposed by penalty give way.
 void print_give(base::Log& log, double strain_energy, const mechanics::MomentumBalance& balance,
                 const grid::Vector& u) {
+  if (balance.has_springs_that_pull_on())
+    log.line(
+        base::format("\n"
+                     "penalty    the springs of the supports hold their faces to within %.2g um "
+                     "(root mean square)",
+                     balance.distance_of_faces(u)));
   const double springs = balance.support_energy(u);
   if (springs <= 0.0) return;
   log.line(

@@ -31,6 +31,7 @@ struct Specimen {
   mechanics::NamedConditions conditions;
   bool plane_strain = false;
   bool reset = false;
+  bool springs_pull_on = false;
   mechanics::NamedForces forces;
   decltype(mechanics::Problem::body_force) body_force;  ///< [pN/um^3], at X
   std::vector<double> density;                          ///< of each law [kg/m^3]
@@ -116,6 +117,7 @@ struct Specimen {
     problem.outer_thickness = sizes.outer_thickness;
     problem.particle_half_edge = sizes.half_edge;
     problem.method.reset = reset;
+    problem.method.springs_pull_on = springs_pull_on;
     problem.method.shape_functions = shape_functions;
     problem.method.particle_domain = particle_domain;
     problem.method.dilatation = dilatation;

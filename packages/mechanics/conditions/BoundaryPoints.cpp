@@ -21,24 +21,11 @@ auto on_host(const View& view) {
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
 }
 
-/// epsilon of a condition on a face across an axis [Pa/um], for the body's stiffest modulus.
-double stiffness_per_area(const Problem& problem, const BoundaryCondition& condition, int axis,
-                          double modulus) {
-  return condition.penalty_factor.value_or(2e4) * modulus / problem.body.length(axis);
-}
-
-bool is_on(Face face, const BoundaryCondition& condition) {
-  return *condition.face == Face::all || *condition.face == face;
-}
-
 /// What makes the boundary points of one particle.
 class BoundaryPointMaker {
  public:
   explicit BoundaryPointMaker(const Problem& problem)
-      : problem_(problem),
-        body_(problem.body),
-        length_(problem.body.lengths()),
-        modulus_(problem.laws.stiffest_modulus()) {}
+      : problem_(problem), body_(problem.body), length_(problem.body.lengths()) {}
 
   /// Appends the points of a particle that lay at X in the undeformed body.
   void add(int particle, const Vector& X, double volume, std::vector<BoundaryPoint>& points,
@@ -48,7 +35,7 @@ class BoundaryPointMaker {
       const BoundaryCondition& condition = problem_.conditions[m].second;
       if (problem_.imposed_by(condition) != ImposedBy::penalty) continue;
       for (int face = 0; face < 6; ++face)
-        if (is_on(static_cast<Face>(face), condition))
+        if (condition.applies_to(static_cast<Face>(face)))
           add(particle, X, volume, static_cast<int>(m), static_cast<Face>(face), points, at);
     }
     for (std::size_t a = first; a < points.size(); ++a)
@@ -67,7 +54,7 @@ class BoundaryPointMaker {
     BoundaryPoint point{};
     point.particle = particle;
     point.condition = m;
-    point.spring = stiffness_per_area(problem_, condition, axis, modulus_) * volume / thickness;
+    point.spring = problem_.spring_stiffness(condition, axis) * volume / thickness;
     point.offset[axis] = outwards;
     for (int c = 0; c < 3; ++c)
       // In plane strain Supports holds z, at every node of the body.
@@ -96,12 +83,12 @@ class BoundaryPointMaker {
   const Problem& problem_;
   const grid::Grid& body_;
   Vector length_;
-  double modulus_;
 };
 
 }  // namespace
 
-void BoundaryPoints::set_load(const Problem& problem, double load) {
+void BoundaryPoints::set_load(const Problem& problem, double load,
+                              const std::vector<Vector>& beyond) {
   const Vector length = problem.body.lengths();
   const auto point = on_host(writable);
   for (std::size_t n = 0; n < X.size(); ++n) {
@@ -109,7 +96,8 @@ void BoundaryPoints::set_load(const Problem& problem, double load) {
         problem.conditions[static_cast<std::size_t>(point(n).condition)].second;
     for (int c = 0; c < 3; ++c)
       if (point(n).components >> c & 1)
-        point(n).displacement[c] = condition.value(c, X[n], problem.body.origin, length, load);
+        point(n).displacement[c] = condition.value(c, X[n], problem.body.origin, length, load) +
+                                   (beyond.empty() ? 0.0 : beyond[n][static_cast<std::size_t>(c)]);
   }
   Kokkos::deep_copy(writable, point);
 }
@@ -152,18 +140,16 @@ BoundaryPoints boundary_points(const base::Communicator& communicator, const Pro
 }
 
 double stiffest_springs(const Problem& problem) {
-  const double modulus = problem.laws.stiffest_modulus();
   double stiffest = 0.0;
   for (const auto& named : problem.conditions)
     for (int face = 0; face < 6; ++face) {
       const int axis = axis_of(static_cast<Face>(face));
       if (problem.imposed_by(named.second) != ImposedBy::penalty ||
-          !is_on(static_cast<Face>(face), named.second))
+          !named.second.applies_to(static_cast<Face>(face)))
         continue;
       const auto& h = problem.body.spacing;
       const double area = h[0] * h[1] * h[2] / h[static_cast<std::size_t>(axis)];
-      stiffest =
-          std::max(stiffest, stiffness_per_area(problem, named.second, axis, modulus) * area);
+      stiffest = std::max(stiffest, problem.spring_stiffness(named.second, axis) * area);
     }
   return stiffest;
 }

@@ -19,8 +19,10 @@ struct BoundaryPoints {
   transfer::BoundaryPointSet<grid::Device> points;
   std::vector<std::array<double, 3>> X;  ///< (point) [um]
 
-  /// Lets the points' springs pull to where conditions want them at a load factor.
-  void set_load(const Problem& problem, double load);
+  /// Lets the points' springs pull to where conditions want them at a load factor, or beyond that
+  /// [um], if not empty.
+  void set_load(const Problem& problem, double load,
+                const std::vector<std::array<double, 3>>& beyond = {});
   /// The points, to be written.
   Kokkos::View<transfer::BoundaryPoint*, grid::Device> writable;
 };
@@ -29,11 +31,11 @@ struct BoundaryPoints {
 /// layer along the condition's face (of each face, for Face::all), straight out from it on the
 /// face, with the spring
 ///
-///     k = epsilon V0 / s,     epsilon = factor M / L       [pN/um]
+///     k = epsilon V0 / s      [pN/um]
 ///
-/// s the thickness of that layer, L the body's length along its normal, and M the
-/// largest K + 4/3 mu of the body's materials. Springs in series with the body lower a force by
-/// 1 / factor at most, whatever the grid. Source: docs/theory.md, eq. (8.3). Collective.
+/// s the thickness of that layer, epsilon that of Problem::spring_stiffness(). Stiff springs in
+/// series with the body lower a force by 1 / factor at most, whatever the grid. Source:
+/// docs/theory.md, eq. (8.3). Collective.
 ///
 /// \throws base::InputError when a face has no particle next to it, or when two conditions want
 ///         different displacements at the edge where their faces meet

@@ -11,20 +11,32 @@
 namespace stroma::mechanics {
 namespace {
 
-/// Whether a node lies on a face of the body's box. In plane strain the one layer of nodes lies on
-/// both faces of z.
-bool lies_on(Face face, const std::array<double, 3>& x, const grid::Grid& body) {
-  for (int d = 0; d < 3; ++d) {
-    if (face != Face::all && axis_of(face) != d) continue;
-    const auto i = static_cast<std::size_t>(d);
-    const double tolerance = 1e-6 * body.spacing[i];
-    const bool lower = std::abs(x[i] - body.origin[i]) < tolerance;
-    const bool upper =
-        std::abs(x[i] - body.origin[i] - body.length(d)) < tolerance || (body.flat && d == 2);
-    if (face == Face::all ? (lower || upper) : (is_upper(face) ? upper : lower)) return true;
+/// The planes of the body's faces at a load factor.
+class FacePlanes {
+ public:
+  FacePlanes(const Problem& problem, double load) : body_(problem.body) {
+    for (int d = 0; d < 3; ++d)
+      for (const bool upper : {false, true})
+        place_[static_cast<std::size_t>(face_of(d, upper))] =
+            problem.place_of_plane(face_of(d, upper), load);
   }
-  return false;
-}
+
+  /// Whether a node lies on one of the faces of a condition. In plane strain the one layer of nodes
+  /// lies on both faces of z.
+  bool hold(const BoundaryCondition& condition, const std::array<double, 3>& x) const {
+    for (std::size_t face = 0; face < place_.size(); ++face) {
+      if (!condition.applies_to(static_cast<Face>(face))) continue;
+      const std::size_t d = face / 2;
+      if (std::abs(x[d] - place_[face]) < 1e-6 * body_.spacing[d] || (body_.flat && d == 2))
+        return true;
+    }
+    return false;
+  }
+
+ private:
+  const grid::Grid& body_;
+  std::array<double, 6> place_;
+};
 
 /// Refuses what the grid cannot do.
 void check_condition(const Problem& problem, const std::string& name,
@@ -43,11 +55,15 @@ void check_condition(const Problem& problem, const std::string& name,
         "leaves free; admissible: " +
         (condition.rotation ? "components that are free along the axis only"
                             : "zeros in the columns of components that are not prescribed"));
-  if (problem.imposed_by(condition) == ImposedBy::nodes && !condition.stays_in_plane())
-    throw base::InputError(
-        where +
-        "|Imposed By: with Grid|Reset, Nodes can hold only a face that stays in "
-        "its plane (its normal displacement prescribed as zero); admissible: Grip, Penalty");
+  for (int face = 0; face < 6; ++face)
+    if (problem.imposed_by(condition) == ImposedBy::nodes &&
+        condition.applies_to(static_cast<Face>(face)) && !(problem.body.flat && face / 2 == 2) &&
+        !problem.is_kept_plane(static_cast<Face>(face)))
+      throw base::InputError(
+          where +
+          "|Imposed By: with Grid|Reset, Nodes can hold only a face that stays a plane across its "
+          "axis (its normal displacement prescribed, the same everywhere on it); admissible: Grip, "
+          "Penalty");
 }
 
 }  // namespace
@@ -120,6 +136,7 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
   std::vector<NodeCounts::HostMirror> in_grip;
   for (const NodeCounts& grip : supported.gripped) in_grip.push_back(host(grip));
   const std::array<double, 3> length = body.lengths();
+  const FacePlanes faces(problem, base_load_);
 
   std::vector<std::int64_t> nodes_of_condition(conditions.size(), 0);
   const auto name_of = [&](int m) { return conditions[static_cast<std::size_t>(m)].first; };
@@ -143,7 +160,7 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
           if (!condition.prescribes(c) || by_what == ImposedBy::penalty) continue;
           const bool applies = by_what == ImposedBy::grip
                                    ? in_grip[static_cast<std::size_t>(m)](t) != 0
-                                   : lies_on(*condition.face, x, body);
+                                   : faces.hold(condition, x);
           if (!applies) continue;
           ++nodes_of_condition[static_cast<std::size_t>(m)];
           const auto X = condition.carried_from(x, base_load_, body.origin, length);

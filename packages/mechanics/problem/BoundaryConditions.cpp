@@ -152,16 +152,14 @@ bool BoundaryCondition::is_self_contained() const {
   return true;
 }
 
-bool BoundaryCondition::stays_in_plane() const {
-  const int normal = axis_of(*face);
-  if (normal < 0 || !prescribes(normal) || field) return false;
+bool BoundaryCondition::keeps_plane(Face of_its_faces) const {
+  const int normal = axis_of(of_its_faces);
+  if (!prescribes(normal) || field) return false;
   const auto n = static_cast<std::size_t>(normal);
-  if (displacement) return (*displacement)[n] == 0.0;
-  if (strain) return *strain == 0.0;
   if (rotation) return *rotation == 0.0 || std::abs(unit_axis()[n]) == 1.0;
   if (!displacement_gradient) return true;
   for (std::size_t d = 0; d < 3; ++d)
-    if ((d != n || is_upper(*face)) && (*displacement_gradient)[3 * n + d] != 0.0) return false;
+    if (d != n && (*displacement_gradient)[3 * n + d] != 0.0) return false;
   return true;
 }
 

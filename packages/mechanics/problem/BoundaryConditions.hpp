@@ -19,6 +19,11 @@ namespace stroma::mechanics {
 
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper, all };
 
+/// The face at an end of an axis (0, 1, 2).
+inline Face face_of(int axis, bool is_upper) {
+  return static_cast<Face>(2 * axis + (is_upper ? 1 : 0));
+}
+
 /// Axis (0, 1, 2) of a face's normal, -1 for Face::all.
 int axis_of(Face face);
 /// Whether the face is the upper one of its axis.
@@ -44,7 +49,7 @@ struct BoundaryCondition {
   std::shared_ptr<const VectorField> field = {};  ///< what they hold around the face
   std::optional<ImposedBy> imposed_by;            ///< else: nodes without grid reset, grip with it
   /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
-  std::optional<double> penalty_factor;   ///< else 2e4
+  std::optional<double> penalty_factor;   ///< else Problem::spring_stiffness()
   std::optional<std::string> load_curve;  ///< the deck's name of `curve`
   LoadCurve curve = {};                   ///< the factor s of the five values
 
@@ -96,8 +101,11 @@ struct BoundaryCondition {
   /// that is free; with a Rotation, directions that are free lie along its axis.
   bool is_self_contained() const;
 
-  /// Whether the face stays in its plane: its normal displacement is prescribed as zero everywhere.
-  bool stays_in_plane() const;
+  /// Whether it applies to a face, which is not Face::all.
+  bool applies_to(Face other) const { return *face == Face::all || *face == other; }
+  /// Whether it keeps one of its faces a plane across its axis: the face's normal displacement is
+  /// prescribed, and the same everywhere on it.
+  bool keeps_plane(Face of_its_faces) const;
 
   /// Component along which the face moves most at s = 1, -1 if it stays, turns or
   /// follows images.

@@ -21,6 +21,8 @@ Method method_of(const GridParameters& parameters, const Compressibility& of_vol
   const bool is_mean = parameters.dilatation == DilatationChoice::automatic
                            ? needs_mean && knows_mean
                            : parameters.dilatation == DilatationChoice::element_mean;
+  method.springs_pull_on =
+      parameters.reset;  // without, faces have nodes, and stiff ones cost little
   method.dilatation = is_mean ? Dilatation::element_mean : Dilatation::pointwise;
   return method;
 }

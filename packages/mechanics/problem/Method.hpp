@@ -26,6 +26,10 @@ struct Method {
   /// Stiffness of the fictitious material in elements that are filled by less than half, as a
   /// fraction of the real one's [-]; 0: none.
   double stabilization = 0.0;
+  /// Springs of conditions imposed by penalty that have no factor of their own are soft, and pull on
+  /// until faces are where conditions want them (Springs): what solver::solve_step() sees to. Else
+  /// they are stiff, for whoever solves otherwise.
+  bool springs_pull_on = false;
 };
 
 }  // namespace stroma::mechanics

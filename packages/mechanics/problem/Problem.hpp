@@ -54,9 +54,25 @@ struct Problem {
   /// configuration.
   std::vector<std::function<std::unique_ptr<Term>(const Body&)>> terms = {};
 
-  ImposedBy imposed_by(const BoundaryCondition& condition) const {
-    return condition.imposed_by.value_or(method.reset ? ImposedBy::grip : ImposedBy::nodes);
+  /// How a condition is imposed. Where the deck does not say: at nodes; on a grid that is reset, by
+  /// penalty if one of its faces is not is_kept_plane().
+  ImposedBy imposed_by(const BoundaryCondition& condition) const;
+  /// Whether nodes keep a face a plane, so that a grid that is reset can have nodes on it.
+  bool is_kept_plane(Face face) const { return keeper_of_plane(face) != nullptr; }
+  /// Where such a face is at a load factor, along its axis [um]; of others, where it was at first.
+  double place_of_plane(Face face, double load) const;
+
+  /// Whether the springs of a condition imposed by penalty pull on (Method::springs_pull_on).
+  bool pulls_on(const BoundaryCondition& condition) const {
+    return method.springs_pull_on && !condition.penalty_factor;
   }
+  /// Stiffness per area of such springs, on a face across an axis: epsilon = factor M / L, without
+  /// a factor 2e4 M / L, or 10 M / h of springs that pull on [Pa/um]; M the stiffest K + 4/3 mu, L
+  /// the body's length along the axis, and h that of its elements.
+  double spring_stiffness(const BoundaryCondition& condition, int axis) const;
+
+ private:
+  const BoundaryCondition* keeper_of_plane(Face face) const;
 };
 
 }  // namespace stroma::mechanics

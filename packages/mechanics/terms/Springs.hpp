@@ -12,6 +12,16 @@ namespace stroma::mechanics {
 
 /// The force of the springs that hold points of the body's faces where conditions want them
 /// (boundary_points(), transfer::SpringForce).
+///
+/// Springs that pull on (Problem::pulls_on) are soft, and aim beyond the place u* that a condition
+/// wants, by s: their force is k (u_b - u* - s), and -k s in the end, when u_b = u*. That is the
+/// method of multipliers. A step begins with the s that the stress of the particles calls for,
+///
+///     s = P N / epsilon,
+///
+/// P the first Piola-Kirchhoff stress, N the face's normal; after each solution pull_on() sets
+/// s <- s - (u_b - u*), until slack() is small. Source: Hestenes, J Optim Theory Appl 4:303, 1969;
+/// docs/theory.md, section 8.
 class Springs : public Term {
  public:
   /// Collective.
@@ -35,13 +45,31 @@ class Springs : public Term {
   /// springs take off the stiffness of the body between its supports.
   double support_energy(const TrialState& state) const override;
 
+  bool some_pull_on() const { return some_pull_on_; }
+  /// Lets springs that pull on begin with the stress at a displacement. Collective, as the next.
+  void begin_pulling(const TrialState& state);
+  /// The force at the nodes that springs miss that pull on [pN], the norm of that of k (u_b - u*); 0
+  /// without any.
+  double slack(const TrialState& state) const;
+  /// How far faces are from where such springs want them [um], root mean square over all points and
+  /// components; 0 without any.
+  double distance(const TrialState& state) const;
+  /// Lets them aim further, for the solution at the present load.
+  void pull_on(const TrialState& state);
+
  private:
   /// Calls use(number, boundary point, its gap [um]) for each of this rank's, on the host.
   template <class Use>
   void for_each_gap(const TrialState& state, const Use& use) const;
 
+  bool pulls_on(const transfer::BoundaryPoint& point) const;
+  void aim();
+
   const Body& body_;
   BoundaryPoints springs_;
+  double load_ = 0.0;
+  bool some_pull_on_;
+  std::vector<std::array<double, 3>> beyond_;  // (point) s [um]; empty: none pulls on yet
 };
 
 /// Whether a problem has conditions imposed by penalty.

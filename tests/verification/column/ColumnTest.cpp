@@ -103,7 +103,7 @@ TEST_P(SmoothColumn, ConvergesWhenParticlesCross) {
   Errors finest{};
   EXPECT_GT(order_of_stress(GetParam(), true, finest), 1.1);
   EXPECT_LT(finest.stress, 2.5e-3);
-  EXPECT_LT(finest.top, 3e-6);
+  EXPECT_LT(finest.top, 4e-6);
 }
 
 // V-COL-3. The upper end sinks by these figures, from integrating the stretch along the column.

@@ -259,6 +259,7 @@ TEST(GridReset, GripsFollowADisplacementGradient) {
   specimen.layout = {particles::Layout::voxel_centers, 2, 2};
   specimen.conditions = {{"boundary", test::hold(Face::all, "xyz")}};
   specimen.conditions[0].second.displacement_gradient = G;
+  specimen.conditions[0].second.imposed_by = ImposedBy::grip;
   mechanics::MovingBody body = specimen.moving_body(world());
   test::take_steps(body, 6, test::to_rounding(), [&](double load, const grid::Vector& u) {
     const auto gradient = body.balance().body().moved_particles(u).base_gradient;

@@ -74,6 +74,7 @@ TEST(ProjectedDisplacement, OnAResetGridIsExactWhereTheProjectionIs) {
   const double e = 0.5;  // h (1 + e) / 2 = 3/4 h: every third particle meets the lattice alike
   Specimen specimen = stretched(e, particles::Layout::per_element);
   specimen.reset = true;
+  for (auto& named : specimen.conditions) named.second.imposed_by = mechanics::ImposedBy::grip;
   specimen.elements = {3, 12, 3};
   mechanics::MovingBody body = specimen.moving_body(world());
   test::take_steps(body, 4, test::to_rounding(), [&](double, const grid::Vector&) {});

@@ -48,6 +48,7 @@ test::Specimen sheared(double g, bool reset) {
   specimen.reset = reset;
   specimen.other_laws = own_laws(std::vector<DamagedLaw>{law, law});
   mechanics::BoundaryCondition condition = test::hold(Face::all, "xyz");
+  condition.imposed_by = reset ? mechanics::ImposedBy::grip : mechanics::ImposedBy::nodes;
   condition.displacement_gradient = std::array<double, 9>{0, g, 0, 0, 0, 0, 0, 0, 0};
   specimen.conditions = {{"around", condition}};
   return specimen;

@@ -33,7 +33,7 @@ class PaperStudy : public ::testing::Test {
       arguments += " --set 'Grid|Element Size [um]={" + h + ", " + h + ", 1.0}'";
       arguments += " --set 'Particles|Per Voxel=" + std::to_string(per_pixel) + "'";
       if (mode == "reset") arguments += " --set 'Grid|Reset=true'";
-      if (mode == "grips")
+      if (mode != "nodes")  // as the paper's code has them
         arguments +=
             " --set 'Boundary Conditions|top|Imposed By=Grip'"
             " --set 'Boundary Conditions|bottom|Imposed By=Grip'";

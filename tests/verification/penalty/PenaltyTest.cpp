@@ -193,6 +193,64 @@ TEST_P(PenaltyOf, RanksAgree) {
   EXPECT_NEAR(force(world()), alone, 1e-9 * alone);
 }
 
+// V-PEN-6. Springs that pull on hold faces where conditions want them, soft as they are: the force
+// is that of stiff ones with what these give way added, and on a grid that is not reset that of
+// nodes. They do so in few iterations, on faces that cut elements too.
+TEST_P(PenaltyOf, SpringsPullOn) {
+  Specimen specimen = two_materials(true);
+  GetParam().apply_to(specimen);
+  for (const bool reset : {false, true}) {
+    specimen.reset = reset;
+    specimen.stabilization = reset ? 0.01 : 0.0;
+    specimen.conditions = test::clamped(0.15);
+    specimen.springs_pull_on = false;
+    const double by_nodes = pull(specimen, 3).top;
+    impose_by_penalty(specimen);
+    const Pull stiff = pull(specimen, 3);
+    specimen.springs_pull_on = true;
+    const Pull soft = pull(specimen, 3);
+    const double expected = stiff.top * (1.0 + stiff.give);
+    if (world().is_root())
+      std::printf("  %-18s %s %+.1e of the force by stiff springs, %+.1e of that by nodes\n",
+                  GetParam().name.c_str(), reset ? "reset   " : "no reset",
+                  soft.top / expected - 1.0, soft.top / by_nodes - 1.0);
+    EXPECT_NEAR(soft.top, expected, (reset ? 1e-3 : 1e-4) * expected);
+    EXPECT_NEAR(soft.bottom, -soft.top, 1e-7 * soft.top);
+    EXPECT_EQ(soft.give, 0.0);
+    if (!reset && !is_b_spline(GetParam())) {
+      EXPECT_NEAR(soft.top, by_nodes, 3e-5 * by_nodes);
+    }
+  }
+}
+
+// V-PEN-6. (Splines: docs/theory.md.)
+TEST_P(PenaltyOf, SpringsThatPullOnTakeFewIterations) {
+  if (GetParam().shape_functions == shape::ShapeFunctions::cubic_b_spline)
+    GTEST_SKIP() << "cubic splines take 200";
+  Specimen specimen = two_materials(false);
+  GetParam().apply_to(specimen);
+  specimen.conditions = test::clamped(0.3);
+  specimen.reset = true;
+  specimen.stabilization = 0.01;
+  specimen.springs_pull_on = true;
+  impose_by_penalty(specimen);
+  mechanics::MovingBody body = specimen.moving_body(world());
+  long long most = 0, last = 0;
+  solver::NewtonSolver newton({}, body.balance(), [&](int n, double, long long so_far) {
+    if (n > 0) most = std::max(most, so_far - last);
+    last = so_far;
+  });
+  for (int step = 1; step <= 6; ++step) {
+    solver::begin_step(body, newton);
+    grid::Vector trial(body.balance().owned_map());
+    solver::solve_step(body, newton, step / 6.0, trial);
+    body.accept(step / 6.0, trial);
+  }
+  if (world().is_root())
+    std::printf("  %-18s %lld iterations in a solve at most\n", GetParam().name.c_str(), most);
+  EXPECT_LE(most, 30);
+}
+
 // V-PEN-5. What cannot be imposed is refused.
 TEST(Penalty, BadConditionsAreNamed) {
   const auto message = [](const Specimen& specimen) {

@@ -39,6 +39,7 @@ mechanics::MovingBody sheared(bool is_deviatoric, bool reset) {
   mechanics::BoundaryCondition all;
   all.face = mechanics::Face::all;
   all.components = "xyz";
+  all.imposed_by = reset ? mechanics::ImposedBy::grip : mechanics::ImposedBy::nodes;
   all.displacement_gradient = {0, shear, 0, 0, 0, 0, 0, 0, 0};
   all.curve = mechanics::load_curve({{0.0, 1.0}, {0.0, 1.0}}, duration);
   specimen.conditions = {{"all", all}};

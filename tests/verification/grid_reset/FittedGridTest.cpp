@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// \file
+/// The grid that is reset lies between the planes of its supports. Claims V-FIT-GRID-1 to 5,
+/// docs/verification.md.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "stroma/base/Error.hpp"
+#include "stroma/mechanics/body/FittedGrid.hpp"
+#include "support/LoadSteps.hpp"
+#include "support/ShapeChoices.hpp"
+#include "support/Specimen.hpp"
+
+namespace stroma {
+namespace {
+
+using mechanics::Face;
+using test::ShapeChoice;
+using test::Specimen;
+
+base::Communicator world() { return base::Communicator::world(); }
+
+Specimen with_bars() {
+  Specimen specimen;
+  specimen.elements = {4, 6, 4};
+  specimen.label = test::crossing_bars;
+  specimen.layout = {particles::Layout::per_element, 1, 2};
+  specimen.stabilization = 0.01;
+  return specimen;
+}
+
+class FittedGridOf : public ::testing::TestWithParam<ShapeChoice> {};
+INSTANTIATE_TEST_SUITE_P(Shapes, FittedGridOf, ::testing::ValuesIn(test::shape_choices()),
+                         [](const auto& choice) { return choice.param.name; });
+
+// V-FIT-GRID-1. Nodes hold the faces by default; the first step is that without reset.
+TEST_P(FittedGridOf, FirstStepIsThatWithoutReset) {
+  std::vector<grid::Vector> answers;
+  for (const bool reset : {false, true}) {
+    Specimen specimen = with_bars();
+    GetParam().apply_to(specimen);
+    specimen.reset = reset;
+    specimen.conditions = test::clamped(0.1);
+    mechanics::MovingBody body = specimen.moving_body(world());
+    test::take_steps(body, 1, test::to_rounding(),
+                     [&](double, const grid::Vector& u) { answers.push_back(u); });
+  }
+  grid::Vector difference(answers[0], Teuchos::Copy);
+  difference.update(-1.0, answers[1], 1.0);
+  EXPECT_GT(answers[0].normInf(), 0.5);
+  EXPECT_LT(difference.normInf(), 1e-12 * answers[0].normInf());
+}
+
+// V-FIT-GRID-2. A uniform body in a chamber whose lid moves: while the number of elements stays,
+// particles keep their places in them, and the force is that without reset to rounding, though the
+// grid is another one in each step.
+TEST_P(FittedGridOf, AConfinedBodyIsThatWithoutReset) {
+  for (const double strain : {0.2, -0.19}) {
+    double force[2];
+    for (const bool reset : {false, true}) {
+      Specimen specimen;
+      GetParam().apply_to(specimen);
+      specimen.elements = {4, 6, 4};
+      specimen.layout = {particles::Layout::per_element, 1, 3};
+      specimen.reset = reset;
+      specimen.conditions = {{"floor", test::hold(Face::y_lower, "y")},
+                             {"lid", test::stretch(Face::y_upper, "y", strain)}};
+      for (const Face face : {Face::x_lower, Face::x_upper, Face::z_lower, Face::z_upper})
+        specimen.conditions.push_back(
+            {"wall" + std::to_string(static_cast<int>(face)),
+             test::hold(face, mechanics::axis_of(face) == 0 ? "x" : "z")});
+      mechanics::MovingBody body = specimen.moving_body(world());
+      test::take_steps(body, 5, test::to_rounding(), [&](double load, const grid::Vector& u) {
+        force[reset] = test::reactions(body, u)[1][1];
+        const grid::Grid& grid = body.balance().halo().partition().grid();
+        const int knots_beyond = grid.centered ? 1 : 0;
+        EXPECT_EQ(grid.elements[1] - knots_beyond, 6);
+        const double before = reset ? load - 0.2 : 0.0;  // the grid is that of the step's start
+        EXPECT_NEAR(grid.spacing[1], 2.1 * (1.0 + before * strain), 1e-12);
+        EXPECT_NEAR(grid.spacing[0], 2.1, 1e-12);
+      });
+    }
+    EXPECT_GT(force[0] * strain, 0.0);
+    EXPECT_NEAR(force[1], force[0], 1e-9 * std::abs(force[0])) << strain;
+  }
+}
+
+// V-FIT-GRID-3. Elements are divided anew when their size departs by a quarter; both planes have
+// nodes in each step, and so have a plane and the free end opposite to it, where the boxes of the
+// outermost particles end.
+TEST(FittedGrid, ElementsFollowTheEnds) {
+  Specimen specimen = with_bars();
+  specimen.shape_functions = shape::ShapeFunctions::gimp;
+  specimen.reset = true;
+  specimen.conditions = {{"bottom", test::hold(Face::y_lower, "xyz")},
+                         {"top", test::hold(Face::y_upper, "xyz")}};
+  specimen.conditions[0].second.displacement = {0.7, -0.4, 0.0};
+  specimen.conditions[1].second.displacement = {0.7, 5.2, 0.0};
+  specimen.conditions.push_back({"side", test::hold(Face::x_lower, "x")});
+  specimen.conditions[2].second.displacement = {0.7, 0.0, 0.0};
+  mechanics::MovingBody body = specimen.moving_body(world());
+  solver::SolverParameters parameters;
+  test::take_steps(body, 8, parameters, [&](double load, const grid::Vector&) {
+    const double before = load - 0.125;
+    const grid::Grid& grid = body.balance().halo().partition().grid();
+    const double lower = -0.4 * before, upper = 12.6 + 5.2 * before;
+    const double h = grid.spacing[1];
+    EXPECT_NEAR(grid.origin[1] + 0.5 * h, lower, 1e-12);
+    EXPECT_NEAR(grid.origin[1] + (static_cast<double>(grid.elements[1]) - 0.5) * h, upper, 1e-12);
+    EXPECT_LT(h, 1.25 * 2.1);
+    EXPECT_GT(h, 2.1 / 1.25);
+    // 1.25 * 12.6 um are passed between 0.5 and 0.625 of the load.
+    EXPECT_EQ(grid.elements[1] - 1, before < 0.6 ? 6 : 8) << load;
+    EXPECT_EQ(grid.elements[0] - 1, 4);
+    EXPECT_NEAR(grid.origin[0] + 0.5 * grid.spacing[0], 0.7 * before, 1e-12);
+    // Boxes end at x + sum over e of |F_xe| r_e, with half an edge r of 2.1/4 um.
+    const auto& particles = body.balance().body().particles();
+    double end = 0.0;
+    for (int p = 0; p < particles.count(); ++p) {
+      double stretch = 0.0;
+      for (int e = 0; e < 3; ++e) stretch += std::abs((e == 0) + particles.base_gradient(p, 0, e));
+      end = std::max(end, particles.position(p, 0) + stretch * 0.25 * 2.1);
+    }
+    EXPECT_NEAR(grid.origin[0] + 4.5 * grid.spacing[0], world().max(end), 1e-3);
+  });
+}
+
+// V-FIT-GRID-4. A clamped block by 30 % and -30 % in ten steps, with smooth functions: the force is
+// that of hats without reset within 1 %, and a step takes no more linear iterations than there.
+TEST(FittedGrid, AClampedBlockUnderLargeStrain) {
+  for (const double strain : {0.3, -0.3}) {
+    const auto run = [&](shape::ShapeFunctions functions, bool reset, long long& most) {
+      Specimen specimen;
+      specimen.elements = {8, 12, 8};
+      specimen.spacing = {4.0, 4.0, 4.0};
+      specimen.laws = {{520.8, 2430.4}};
+      specimen.layout = {particles::Layout::per_element, 1, 2};
+      specimen.shape_functions = functions;
+      specimen.reset = reset;
+      specimen.stabilization = reset ? 0.01 : 0.0;
+      specimen.conditions = test::clamped(strain);
+      mechanics::MovingBody body = specimen.moving_body(world());
+      solver::NewtonSolver newton({}, body.balance());
+      most = 0;
+      for (int step = 1; step <= 10; ++step) {
+        solver::begin_step(body, newton);
+        grid::Vector trial(body.balance().owned_map());
+        const auto result = solver::solve_step(body, newton, 0.1 * step, trial);
+        most = std::max(most, result.linear_iterations);
+        body.accept(0.1 * step, trial);
+      }
+      const auto reactions = test::reactions(body, body.displacement());
+      EXPECT_NEAR(reactions[0][1], -reactions[1][1], 1e-8 * std::abs(reactions[1][1]));
+      return reactions[1][1];
+    };
+    long long most_without, most_with;
+    const double without = run(shape::ShapeFunctions::linear, false, most_without);
+    const double with = run(shape::ShapeFunctions::gimp, true, most_with);
+    if (world().is_root())
+      std::printf(
+          "  %+.0f %%: %.0f pN without reset, %.0f pN with (%+.2f %%); %lld and %lld "
+          "iterations a step at most\n",
+          100.0 * strain, without, with, 100.0 * (with / without - 1.0), most_without, most_with);
+    EXPECT_NEAR(with, without, 0.01 * std::abs(without));
+    EXPECT_LE(most_with, 25);
+  }
+}
+
+// V-FIT-GRID-5. Faces that meet end the run with a message.
+TEST(FittedGrid, FacesThatMeetAreRefused) {
+  Specimen specimen = with_bars();
+  specimen.reset = true;
+  specimen.conditions = test::clamped(-0.2);
+  const auto particles = specimen.particles(world());
+  mechanics::Problem problem = specimen.problem();
+  problem.conditions[1].second.strain = -1.5;
+  EXPECT_THROW(mechanics::fitted_grid(world(), problem, 1.0, problem.body, particles),
+               base::RunError);
+}
+
+}  // namespace
+}  // namespace stroma
