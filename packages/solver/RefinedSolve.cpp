@@ -12,13 +12,13 @@ void linearize(LinearSolver& solver, mechanics::MomentumBalance& balance, const 
   solver.set_forcing(0.0);
 }
 
-void solve_refined(LinearSolver& solver, const mechanics::MomentumBalance& balance,
-                   const grid::Vector& u, const grid::Vector& b, grid::Vector& x,
-                   double tolerance) {
+double solve_refined(LinearSolver& solver, const mechanics::MomentumBalance& balance,
+                     const grid::Vector& u, const grid::Vector& b, grid::Vector& x,
+                     double tolerance) {
   grid::Vector residual(b, Teuchos::Copy), correction(b.getMap()), product(b.getMap());
   balance.supports().clear(residual);
   x.putScalar(0.0);
-  const double goal = tolerance * residual.norm2();
+  const double size = residual.norm2(), goal = tolerance * size;
   // Each pass leaves what the solver and the rounding of the stored tangent leave.
   constexpr int most_passes = 6;
   for (int pass = 0; pass < most_passes && residual.norm2() > goal; ++pass) {
@@ -29,8 +29,9 @@ void solve_refined(LinearSolver& solver, const mechanics::MomentumBalance& balan
     balance.supports().clear(product);
     residual.update(-1.0, product, 1.0);
   }
-  if (!(residual.norm2() <= goal))
-    throw base::StepRejected("the linear solver does not come to its tolerance");
+  const double left = residual.norm2();
+  if (!(left <= goal)) throw base::StepRejected("the linear solver does not come to its tolerance");
+  return size > 0.0 ? left / size : 0.0;
 }
 
 }  // namespace stroma::solver

@@ -22,8 +22,10 @@ void linearize(LinearSolver& solver, mechanics::MomentumBalance& balance, const 
 /// \param b          right-hand side [pN]
 /// \param x          solution [um]
 /// \param tolerance  ||K x - b|| / ||b||
+/// \return ||K x - b|| / ||b|| that is left, 0 for b = 0
 /// \throws base::StepRejected when the tangent is indefinite, or the tolerance is not reached
-void solve_refined(LinearSolver& solver, const mechanics::MomentumBalance& balance,
-                   const grid::Vector& u, const grid::Vector& b, grid::Vector& x, double tolerance);
+double solve_refined(LinearSolver& solver, const mechanics::MomentumBalance& balance,
+                     const grid::Vector& u, const grid::Vector& b, grid::Vector& x,
+                     double tolerance);
 
 }  // namespace stroma::solver

@@ -13,6 +13,7 @@
 #include "fit/FitRuns.hpp"
 #include "fit/FitTables.hpp"
 #include "fit/LeastSquares.hpp"
+#include "run/ReportFile.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/files/WriteFile.hpp"
@@ -199,11 +200,7 @@ void fit_command(const base::Communicator& communicator, const std::string& fit_
   log.line("");
   const std::string failure = draw(communicator, plan, best, folder.folder());
   if (!failure.empty()) log.note(failure);
-  try {
-    fit_report(communicator, folder.folder(), log);
-  } catch (const base::RunError& error) {
-    log.note(std::string("report.html was not written: ") + error.what());
-  }
+  report_at_end(log, [&] { fit_report(communicator, folder.folder(), log); });
   folder.finish();
   log.line(format("%zu runs, %zu of them new, %.1f s on %d rank%s; %s", runs.all().size(),
                   runs.solved(), MPI_Wtime() - start, communicator.size(),

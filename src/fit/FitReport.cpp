@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "run/RunReport.hpp"
+#include "run/ReportFile.hpp"
 #include "stroma/base/FileContent.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"
 #include "stroma/output/report/ReportPage.hpp"

@@ -6,6 +6,7 @@
 
 #include "fit/FitReport.hpp"
 #include "run/RunReport.hpp"
+#include "stiffness/StiffnessReport.hpp"
 #include "stiffness/StiffnessRun.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/RunFolder.hpp"
@@ -25,8 +26,7 @@ void report_command(const base::Communicator& communicator, const std::string& f
     } else if (std::filesystem::is_regular_file(files.file("fit.csv"))) {
       make_report = fit_report;
     } else if (std::filesystem::is_regular_file(files.deck())) {
-      refuse_stiffness_folder(folder, "report");
-      make_report = run_report;
+      make_report = holds_stiffness(folder) ? stiffness_report : run_report;
     } else {
       throw base::InputError("'" + folder +
                              "' is no folder of results: it has neither deck.xml, which a run "

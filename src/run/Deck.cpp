@@ -330,8 +330,9 @@ std::vector<std::string> input_files(const Deck& deck) {
 }
 
 std::vector<std::string> run_files(const Deck& deck) {
-  return asks_for_stiffness(deck.parameters) ? output::stiffness_files()
-                                             : output::run_files(deck.parameters.output);
+  return asks_for_stiffness(deck.parameters)
+             ? output::stiffness_files(deck.parameters.output.report)
+             : output::run_files(deck.parameters.output);
 }
 
 Teuchos::RCP<Teuchos::ParameterList> as_run(const Deck& deck) {

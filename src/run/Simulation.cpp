@@ -9,6 +9,7 @@
 
 #include "run/Checkpoints.hpp"
 #include "run/MemoryEstimate.hpp"
+#include "run/ReportFile.hpp"
 #include "run/Results.hpp"
 #include "run/RunLog.hpp"
 #include "run/RunReport.hpp"
@@ -297,16 +298,11 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
   }
 }
 
-/// Makes report.html of what is in the folder, now that the body's memory is free. A report never
-/// makes a run fail.
+/// Makes report.html of what is in the folder, now that the body's memory is free.
 void report(const base::Communicator& communicator, const Deck& deck,
             const output::RunFolder& folder, base::Log& log) {
-  if (!deck.parameters.output.report) return;
-  try {
-    run_report(communicator, folder.folder(), log);
-  } catch (const base::RunError& error) {
-    log.note(std::string("report.html was not written: ") + error.what());
-  }
+  if (deck.parameters.output.report)
+    report_at_end(log, [&] { run_report(communicator, folder.folder(), log); });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -55,16 +56,15 @@ void solve_cases(const Deck& deck, mechanics::MomentumBalance& balance, UniformB
   grid::Vector u(balance.owned_map());
   for (const int unit : cases.units) {
     const grid::Vector load = mechanics::unit_load(balance.body(), boundary, unit);
-    solver::solve_refined(linear, balance, at_rest, load, u, tolerance);
-    const grid::Vector uniform = mechanics::unit_displacement(balance.body(), unit);
-    if (boundary != UniformBoundary::traction) u.update(1.0, uniform, 1.0);
+    const std::int64_t before = linear.total_iterations();
+    const double residual = solver::solve_refined(linear, balance, at_rest, load, u, tolerance);
+    result.cases[static_cast<std::size_t>(unit)] = {linear.total_iterations() - before, residual};
+    if (boundary != UniformBoundary::traction)
+      u.update(1.0, mechanics::unit_displacement(balance.body(), unit), 1.0);
     result.stress.col(unit) = mean_stress(balance.body(), u);
     result.strain.col(unit) =
         knows_strain ? mean_strain(balance.body(), u) : Vector6(Vector6::Unit(unit));
-    result.voigt.col(unit) = mean_stress(balance.body(), uniform);
   }
-  result.unknowns += balance.supports().unknowns();
-  result.iterations += linear.total_iterations();
 }
 
 }  // namespace
@@ -105,6 +105,19 @@ std::array<double, 6> solid_shares_of_faces(const base::Communicator& communicat
 
 bool are_solid(const std::array<double, 6>& shares) {
   return *std::min_element(shares.begin(), shares.end()) > 1.0 - 1e-9;
+}
+
+std::int64_t ApparentStiffness::iterations() const {
+  return std::accumulate(
+      cases.begin(), cases.end(), std::int64_t{0},
+      [](std::int64_t sum, const SolvedCase& one) { return sum + one.iterations; });
+}
+
+Matrix6 voigt_stiffness(const mechanics::Body& body) {
+  Matrix6 mean;
+  for (int unit = 0; unit < 6; ++unit)
+    mean.col(unit) = mean_stress(body, mechanics::unit_displacement(body, unit));
+  return mean;
 }
 
 ApparentStiffness apparent_stiffness(

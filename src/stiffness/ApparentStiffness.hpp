@@ -5,6 +5,8 @@
 /// \file
 /// The stiffness of a specimen as a whole, in small strain about its unloaded state.
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -25,6 +27,12 @@ std::array<double, 6> solid_shares_of_faces(const base::Communicator& communicat
                                             const Specimen& specimen);
 bool are_solid(const std::array<double, 6>& shares);
 
+/// How the linear problem of a load case was solved.
+struct SolvedCase {
+  std::int64_t iterations;
+  double residual;  ///< ||K u - f|| / ||f||
+};
+
 /// Of the stiffness with one kind of boundary [Pa].
 struct ApparentStiffness {
   /// (k, l) Mean stress k of the box under the unit load l, over the whole box, empty space
@@ -32,9 +40,14 @@ struct ApparentStiffness {
   Matrix6 stress, strain;
   Matrix6 stiffness;      ///< the symmetric part of stress strain^-1
   double symmetry_error;  ///< |C - C^T| / |C| before that (Euclidean, of the tensors)
-  Matrix6 voigt;          ///< mean of the materials' stiffnesses over the box: of uniform strain
-  std::int64_t unknowns = 0, iterations = 0;  ///< of all sets of constraints together
+  std::array<SolvedCase, 6> cases;
+
+  std::int64_t iterations() const;  ///< of all cases
 };
+
+/// The mean of the materials' stiffnesses over the box, by the stress of uniform strains [Pa]:
+/// Voigt's bound. The body's supports do not matter. Collective.
+Matrix6 voigt_stiffness(const mechanics::Body& body);
 
 /// Solves the six load cases on u = 0. With u_l the displacement of case l, K the tangent, v_k and
 /// f_k the displacement of unit strain k and the surface forces of unit stress k

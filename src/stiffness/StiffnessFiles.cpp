@@ -127,6 +127,14 @@ Json closest_of(const BoundaryResults& results) {
   return all;
 }
 
+Json cases_of(const ApparentStiffness& found) {
+  Json all;
+  for (std::size_t unit = 0; unit < found.cases.size(); ++unit)
+    all[name_of_unit(static_cast<int>(unit))] = {{"iterations", found.cases[unit].iterations},
+                                                 {"residual", found.cases[unit].residual}};
+  return all;
+}
+
 Json bounds_of(const StiffnessResults& results) {
   if (!results.bounds) return nullptr;
   Json all;
@@ -134,6 +142,18 @@ Json bounds_of(const StiffnessResults& results) {
     for (const auto& [letter, modulus] : bounded_moduli())
       all[kind][letter] = ((*results.bounds).*modulus).*bound;
   return all;
+}
+
+/// How the load cases were solved.
+std::vector<Figure> solving(const ApparentStiffness& found) {
+  std::vector<Figure> figures;
+  for (std::size_t unit = 0; unit < found.cases.size(); ++unit) {
+    const std::string name = name_of_unit(static_cast<int>(unit));
+    figures.push_back(
+        {"iterations_" + name, "-", static_cast<double>(found.cases[unit].iterations)});
+    figures.push_back({"residual_" + name, "-", found.cases[unit].residual});
+  }
+  return figures;
 }
 
 class Rows {
@@ -181,6 +201,11 @@ BoundaryResults::BoundaryResults(std::string boundary, ApparentStiffness apparen
     closest.push_back(stroma::closest(found.stiffness, named.second));
 }
 
+std::optional<Matrix6> StiffnessResults::reuss() const {
+  if (!bounds || !(bounds->bulk.reuss > 0.0)) return std::nullopt;
+  return isotropic_stiffness(bounds->bulk.reuss, bounds->shear.reuss);
+}
+
 std::string stiffness_table(const StiffnessResults& results) {
   Rows rows;
   for (const BoundaryResults& one : results.all) {
@@ -190,10 +215,13 @@ std::string stiffness_table(const StiffnessResults& results) {
       rows.add(one.name, "specimen", moduli(*one.compliance, "xyz"));
     }
     rows.add(one.name, "specimen", {{"symmetry_error", "-", one.found.symmetry_error}});
+    rows.add(one.name, "specimen", solving(one.found));
     for (std::size_t n = 0; n < one.closest.size(); ++n)
       rows.add(one.name, symmetries()[n].first, described(one.closest[n], symmetries()[n].second));
   }
-  rows.add("bounds", "Voigt", components("C", "Pa", results.all.front().found.voigt));
+  rows.add("bounds", "Voigt", components("C", "Pa", results.voigt));
+  if (const auto reuss = results.reuss())
+    rows.add("bounds", "Reuss", components("C", "Pa", *reuss));
   if (results.bounds)
     for (const auto& [kind, bound] : kinds_of_bounds())
       for (const auto& [letter, modulus] : bounded_moduli())
@@ -202,6 +230,7 @@ std::string stiffness_table(const StiffnessResults& results) {
 }
 
 std::string stiffness_json(const StiffnessResults& results) {
+  const std::optional<Matrix6> reuss = results.reuss();
   Json found;
   for (const BoundaryResults& one : results.all)
     found[one.name] = {
@@ -212,8 +241,10 @@ std::string stiffness_json(const StiffnessResults& results) {
         {"mean stress", matrix_of(one.found.stress)},
         {"mean strain", matrix_of(one.found.strain)},
         {"closest", closest_of(one)},
+        {"load cases", cases_of(one.found)},
     };
-  Json order = Json::array(), faces;
+  Json order = Json::array(), faces, shares;
+  for (const auto& [material, share] : results.shares) shares[material] = share;
   for (int i = 0; i < 6; ++i) order.push_back(name_of_unit(i));
   for (std::size_t face = 0; face < 6; ++face) faces[face_names[face]] = results.face_shares[face];
   const Json all{{"stiffness", found},
@@ -224,7 +255,9 @@ std::string stiffness_json(const StiffnessResults& results) {
                  {"box [um]", results.box},
                  {"solid share", results.solid_share},
                  {"solid share of faces", faces},
-                 {"Voigt", matrix_of(results.all.front().found.voigt)},
+                 {"share of materials", shares},
+                 {"Voigt", matrix_of(results.voigt)},
+                 {"Reuss", reuss ? matrix_of(*reuss) : Json()},
                  {"bounds", bounds_of(results)}};
   return all.dump(2) + "\n";
 }

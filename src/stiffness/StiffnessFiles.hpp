@@ -29,13 +29,19 @@ struct BoundaryResults {
 /// All that was found.
 struct StiffnessResults {
   std::string title;
-  std::array<double, 3> box;          ///< edges [um]
-  double solid_share;                 ///< of the box
-  std::array<double, 6> face_shares;  ///< solid, of x-, x+, y- ...
+  std::array<double, 3> box;                           ///< edges [um]
+  double solid_share;                                  ///< of the box
+  std::vector<std::pair<std::string, double>> shares;  ///< of each material, of the box
+  std::array<double, 6> face_shares;                   ///< solid, of x-, x+, y- ...
   /// Of the whole box, its empty space included; nothing where a material has fibres. With empty
   /// space the lower ones are 0.
   std::optional<material::MixtureBounds> bounds;
+  Matrix6 voigt;  ///< voigt_stiffness()
   std::vector<BoundaryResults> all;
+
+  /// The harmonic mean of the materials' stiffnesses: Reuss's bound [Pa]; nothing where it is 0, with
+  /// empty space, or where a material has fibres.
+  std::optional<Matrix6> reuss() const;
 };
 
 /// stiffness.csv, a line for each figure (docs/file_formats.md).

@@ -8,10 +8,12 @@
 
 #include "run/BoundsTable.hpp"
 #include "run/KnownFiles.hpp"
+#include "run/ReportFile.hpp"
 #include "run/RunFacts.hpp"
 #include "run/RunLog.hpp"
 #include "run/RunSummary.hpp"
 #include "stiffness/StiffnessFiles.hpp"
+#include "stiffness/StiffnessReport.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Session.hpp"
 #include "stroma/output/files/DeckFile.hpp"
@@ -83,10 +85,21 @@ mechanics::NamedBoundaries possible_boundaries(const Deck& deck,
   return wanted;
 }
 
-void run_stiffness(const base::Communicator& communicator, const Deck& deck,
-                   const RunOptions& options, base::Log& log) {
-  refuse_steps(options);
-  const output::RunFolder folder(communicator, options.folder, run_files(deck));
+namespace {
+
+/// Each material's share of the box.
+std::vector<std::pair<std::string, double>> shares_of(const material::NamedMaterials& materials,
+                                                      const std::vector<double>& volumes,
+                                                      double box) {
+  std::vector<std::pair<std::string, double>> shares;
+  for (std::size_t m = 0; m < volumes.size(); ++m)
+    shares.emplace_back(materials[m].first, volumes[m] / box);
+  return shares;
+}
+
+/// From deck to results in the folder.
+void find_stiffness(const base::Communicator& communicator, const Deck& deck,
+                    const output::RunFolder& folder, base::Log& log) {
   RunLog say(communicator, deck, log);
   folder.refuse_foreign_files(input_files(deck));
   solver::try_lists(communicator, deck.parameters.solver);
@@ -102,8 +115,10 @@ void run_stiffness(const base::Communicator& communicator, const Deck& deck,
       deck.parameters.title,
       specimen.body.lengths(),
       solid / box,
+      shares_of(deck.parameters.materials.materials, volumes, box),
       solid_shares_of_faces(communicator, specimen),
       bounds_of_box(deck, specimen, volumes, box - solid > negligible ? box - solid : 0.0),
+      {},
       {}};
   const mechanics::NamedBoundaries wanted = possible_boundaries(deck, results.face_shares, log);
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
@@ -116,12 +131,13 @@ void run_stiffness(const base::Communicator& communicator, const Deck& deck,
     say.describe(specimen, balance);
     output::write_deck(communicator, folder.deck(), *as_run(deck),
                        run_facts(communicator, folder.taken(), files));
+    results.voigt = voigt_stiffness(balance.body());
   };
   for (const auto& [name, boundary] : wanted) {
     results.all.emplace_back(name,
                              apparent_stiffness(communicator, deck, specimen, boundary, begin));
     log.line(base::format("solved     %s: %lld iterations, %.1f s", name.c_str(),
-                          static_cast<long long>(results.all.back().found.iterations),
+                          static_cast<long long>(results.all.back().found.iterations()),
                           say.seconds()));
   }
   base::collectively(communicator, [&] {
@@ -136,10 +152,25 @@ void run_stiffness(const base::Communicator& communicator, const Deck& deck,
                         base::ranks_and_threads(communicator).c_str(), folder.folder().c_str()));
 }
 
-void refuse_stiffness_folder(const std::string& folder, const std::string& command) {
+}  // namespace
+
+void run_stiffness(const base::Communicator& communicator, const Deck& deck,
+                   const RunOptions& options, base::Log& log) {
+  refuse_steps(options);
+  const output::RunFolder folder(communicator, options.folder, run_files(deck));
+  find_stiffness(communicator, deck, folder, log);
+  if (deck.parameters.output.report)
+    report_at_end(log, [&] { stiffness_report(communicator, folder.folder(), log); });
+}
+
+bool holds_stiffness(const std::string& folder) {
   const output::RunFiles files(folder);
-  if (std::filesystem::exists(files.file("stiffness.json")) &&
-      !std::filesystem::exists(files.history()))
+  return std::filesystem::exists(files.file("stiffness.json")) &&
+         !std::filesystem::exists(files.history());
+}
+
+void refuse_stiffness_folder(const std::string& folder, const std::string& command) {
+  if (holds_stiffness(folder))
     throw base::InputError(
         "'" + folder + "' holds a stiffness (Rig|Kind = Stiffness), which has no load steps to " +
         command + "; its results are in stiffness.csv and stiffness.json");

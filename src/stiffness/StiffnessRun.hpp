@@ -14,7 +14,7 @@
 namespace stroma {
 
 /// Reads the specimen, solves the load cases of Rig|Kind = Stiffness, and writes stiffness.csv and
-/// stiffness.json to a folder. Collective.
+/// stiffness.json to a folder, and a report of them. Collective.
 /// \throws base::InputError before anything is run, when the input is wrong, or a restart or a time
 ///         limit is asked for
 /// \throws base::RunError when a load case cannot be solved, or a file cannot be written
@@ -29,6 +29,8 @@ mechanics::NamedBoundaries possible_boundaries(const Deck& deck,
                                                const std::array<double, 6>& face_shares,
                                                base::Log& log);
 
+/// Whether such a run has left a folder.
+bool holds_stiffness(const std::string& folder);
 /// Refuses a folder that such a run has left, for a command that needs load steps.
 /// \param command  its name
 /// \throws base::InputError

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "run/ReportFile.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/RunFolder.hpp"
 #include "stroma/output/files/WriteFile.hpp"
@@ -132,11 +133,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
   log.line("");
   for (const std::string& line : size_summary(groups)) log.line(line);
   draw_study(communicator, plan, results, groups, folder.folder(), log);
-  try {
-    study_report(communicator, folder.folder(), log);
-  } catch (const base::RunError& error) {
-    log.note(std::string("report.html was not written: ") + error.what());
-  }
+  report_at_end(log, [&] { study_report(communicator, folder.folder(), log); });
   folder.finish();
   log.line(format("%.1f s on %d rank%s; %s", MPI_Wtime() - start, communicator.size(),
                   communicator.size() == 1 ? "" : "s", folder.file("study.csv").c_str()));

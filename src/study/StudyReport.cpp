@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "run/ReportFile.hpp"
 #include "run/RunReport.hpp"
 #include "stroma/base/FileContent.hpp"
 #include "stroma/output/files/ProgramFacts.hpp"

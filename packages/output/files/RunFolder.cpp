@@ -102,8 +102,10 @@ std::vector<std::string> run_files(bool pictures, bool report, bool tables) {
   return names;
 }
 
-std::vector<std::string> stiffness_files() {
-  return {"deck.xml", "log.txt", "stiffness.csv", "stiffness.json"};
+std::vector<std::string> stiffness_files(bool report) {
+  std::vector<std::string> names{"deck.xml", "log.txt", "stiffness.csv", "stiffness.json"};
+  if (report) names.insert(names.end(), {"report.html", "report.html.new"});
+  return names;
 }
 
 std::vector<std::string> study_files() {

@@ -21,7 +21,7 @@ std::vector<std::string> table_files();
 /// with a report or tables, these.
 std::vector<std::string> run_files(bool pictures, bool report, bool tables);
 /// Of a run that finds a stiffness.
-std::vector<std::string> stiffness_files();
+std::vector<std::string> stiffness_files(bool report);
 /// Of a study, beside the folders of its members.
 std::vector<std::string> study_files();
 /// Of a fit, beside the folders of its members.

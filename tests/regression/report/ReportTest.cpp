@@ -147,6 +147,47 @@ TEST(Report, OfAFitShowsMeasurementsAndHowSureTheNumbersAre) {
   EXPECT_EQ(wrong(folder, "layout out"), "");
 }
 
+// V-REPORT
+TEST(Report, OfAStiffnessShowsItsTensors) {
+  SKIP_WITHOUT_BROWSER();
+  const TemporaryFolder folder;
+  for (const auto& [deck, ranks] : {std::pair{"scaffold", 1}, std::pair{"vessels", 2}}) {
+    const fs::path path =
+        clone / "input_decks/19_scaffold_stiffness" / (deck + std::string(".yaml"));
+    const std::string smaller = deck == std::string("vessels")
+                                    ? " --set 'Image|Phantom|Size={10, 10, 10}'"
+                                    : " --set 'Output|Origin=Bottom'";
+    const Outcome outcome = run_stroma(
+        folder.path(), "run " + quoted(path) + " -o " + deck + " --quiet" + smaller, ranks);
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+    EXPECT_EQ(wrong(folder, std::string("stiffness ") + deck), "");
+  }
+}
+
+TEST(Report, OfAStiffnessIsMadeAgain) {
+  const TemporaryFolder folder;
+  folder.write("run.yaml", capillaries().substr(0, capillaries().find("  Boundary Conditions")) +
+                               "  Rig: {Kind: Stiffness, Boundary: [Mixed]}\n");
+  Outcome outcome =
+      run_stroma(folder.path(), "run run.yaml -o run --quiet --set 'Grid|Elements={4, 4, 2}'");
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+  const std::string at_end = content_of(folder / "run/report.html");
+  EXPECT_NE(at_end.find("id=\"image\""), std::string::npos);
+  for (const int ranks : {1, 2}) {
+    fs::remove(folder / "run/report.html");
+    outcome = run_stroma(folder.path(), "report run", ranks);
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    // all but the log, which tells by now of the report
+    const std::string page = content_of(folder / "run/report.html");
+    EXPECT_EQ(page.substr(page.find("\"made_by\":")), at_end.substr(at_end.find("\"made_by\":")));
+  }
+  folder.write("run/stiffness.json", "{}");
+  outcome = run_stroma(folder.path(), "report run");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.standard_error.find("is no stiffness.json of Stroma"), std::string::npos)
+      << outcome.standard_error;
+}
+
 /// A block whose force depends on the size of its elements.
 const char* const block = R"(Stroma:
   Title: A block

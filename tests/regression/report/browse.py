@@ -5,11 +5,14 @@
     browse.py run DIR [X Y Z VALUE]   of a run: VALUE is the von Mises stress of the last step at X, Y, Z [um]
     browse.py study DIR
     browse.py fit DIR
+    browse.py stiffness DIR
     browse.py layout DIR              of any: that it is drawn
 """
 import contextlib
 import csv
+import itertools
 import json
+import math
 import sys
 import time
 from pathlib import Path
@@ -105,7 +108,7 @@ def axis_title(driver, chart, axis):
     return driver.execute_script("return Chart.getChart(arguments[0]).options.scales[arguments[1]].title.text", chart, axis)
 
 
-UNITS = {"pN": 1.0, "nN": 1e3, "µN": 1e6, "mN": 1e9, "aJ": 1.0, "fJ": 1e3, "pJ": 1e6, "nJ": 1e9, "pN µm": 1.0, "nN µm": 1e3, "µN µm": 1e6, "Pa": 1.0, "kPa": 1e3,
+UNITS = {"pN": 1.0, "nN": 1e3, "µN": 1e6, "mN": 1e9, "aJ": 1.0, "fJ": 1e3, "pJ": 1e6, "nJ": 1e9, "pN µm": 1.0, "nN µm": 1e3, "µN µm": 1e6, "Pa": 1.0, "kPa": 1e3, "MPa": 1e6,
          "µs": 1e-6, "ms": 1e-3, "s": 1.0}
 
 
@@ -354,6 +357,77 @@ def check_fit(driver, folder):
     expect(tinted == [[f"{float(field):.3f}" for field in row[first:]] for row in estimates[1:]], "the correlations are others")
 
 
+def young_along(compliance, direction):
+    """1 / (S_ijkl n_i n_j n_k n_l), by all its 81 components; rows of compliance are xx yy zz yz xz xy."""
+    row = {(0, 0): 0, (1, 1): 1, (2, 2): 2, (1, 2): 3, (0, 2): 4, (0, 1): 5}
+    total = 0.0
+    for i, j, k, l in itertools.product(range(3), repeat=4):
+        a, b = row[min(i, j), max(i, j)], row[min(k, l), max(k, l)]
+        total += compliance[a][b] / ((1 if a < 3 else 2) * (1 if b < 3 else 2)) * direction[i] * direction[j] * direction[k] * direction[l]
+    return 1.0 / total
+
+
+def check_directions(driver, found):
+    """Young's modulus around three planes is that of the compliances."""
+    for plane in ("xy", "xz", "yz"):
+        chart = f"young-{plane}"
+        unit = UNITS[driver.find_element(By.ID, chart).get_attribute("aria-label").split()[-1]]
+        labels = driver.execute_script("return Chart.getChart(arguments[0]).data.labels", chart)
+        count = len(labels)
+        ends = [labels[n * count // 4] for n in range(2)]  # up, right
+        vectors = [[("xyz"[d] == end[-1]) * (-1.0 if end[0] == "-" else 1.0) for d in range(3)] for end in ends]
+        curves = {one["label"]: one["data"] for one in series(driver, chart)}
+        for name, one in found["stiffness"].items():
+            if one["compliance"] is None:
+                expect(name not in curves, f"{name} has no moduli, and is drawn")
+                continue
+            for n in range(0, count, 15):
+                turn = 2.0 * math.pi * n / count
+                direction = [math.cos(turn) * up + math.sin(turn) * right for up, right in zip(*vectors)]
+                wanted = young_along(one["compliance"], direction)
+                expect(near(curves[name][n] * unit, wanted, 1e-9), f"{name} along {direction}: {curves[name][n] * unit} instead of {wanted}")
+
+
+def fields(driver, selector):
+    return driver.execute_script("return [...document.querySelectorAll(arguments[0])].map((row) => [...row.children].map((field) => field.textContent))", selector)
+
+
+def check_tensor(driver, name, matrix):
+    """The table of a tensor, when it is chosen."""
+    driver.execute_script("document.querySelector(`input[name=boundary][value='${arguments[0]}']`).click()", name)
+    shown, most = [[float(field) for field in row[1:]] for row in fields(driver, "#tensor tbody tr")], max(map(max, matrix))
+    unit = UNITS[driver.find_element(By.CSS_SELECTOR, "#tensor-section .note").text.split(";")[0].split()[-1]]
+    expect(all(abs(a * unit - b) <= 1e-4 * most for row, wanted in zip(shown, matrix) for a, b in zip(row, wanted)), f"the tensor {name} is another")
+
+
+def check_stiffness(driver, folder):
+    """Tensors, moduli, bounds and load cases are those of stiffness.json."""
+    check_layout(driver, folder / "report.html")
+    open_page(driver, folder / "report.html", 1280, "light")
+    found = json.loads((folder / "stiffness.json").read_text(encoding="utf-8"))
+    check_directions(driver, found)
+    for name, one in found["stiffness"].items():
+        check_tensor(driver, name, one["stiffness"])
+    for name in ("Voigt", "Reuss"):
+        if found[name] is not None:
+            check_tensor(driver, name, found[name])
+    cases = [[unit, *[str(one["load cases"][unit]["iterations"]) for one in found["stiffness"].values()]] for unit in found["order"]]
+    expect([[row[0], *row[1::2]] for row in fields(driver, "#cases tbody tr")] == cases, "the load cases are others")
+    for row in fields(driver, "#moduli tbody tr"):
+        name, unit = row[0].split()[0].replace("ν", "nu"), UNITS[row[0].split("(")[1].rstrip(")")] if "(" in row[0] else 1.0
+        wanted = [one["moduli"][name] for one in found["stiffness"].values() if one["moduli"]]
+        expect(all(near(float(text) * unit, value, 1e-3) for text, value in zip(row[1:], wanted)), f"{name} is {row[1:]} instead of {wanted}")
+    if found["bounds"] is not None:
+        unit, ends = unit_of(driver, "order-chart"), [one["data"][0]["y"] for one in series(driver, "order-chart")]
+        expect(all(near(end * unit, found["bounds"]["Reuss"][letter], 1e-9) for end, letter in zip(ends, "KGE")), "Reuss's bounds are others")
+    knob, pictures = driver.find_element(By.ID, "z-slider"), {picture(driver, "specimen-map")}
+    knob.send_keys(Keys.HOME)
+    for _ in range(int(knob.get_attribute("max"))):
+        knob.send_keys(Keys.ARROW_RIGHT)
+        pictures.add(picture(driver, "specimen-map"))
+    expect(len(pictures) > 1, "the slider does not move the picture")
+
+
 def main():
     kind, folder = sys.argv[1], Path(sys.argv[2])
     with browser() as driver:
@@ -361,6 +435,8 @@ def main():
             check_run(driver, folder, [float(word) for word in sys.argv[3:7]] or None)
         elif kind == "fit":
             check_fit(driver, folder)
+        elif kind == "stiffness":
+            check_stiffness(driver, folder)
         elif kind == "layout":
             check_layout(driver, folder / "report.html")
         else:

@@ -73,6 +73,23 @@ function lineChart(id, description, x, y, series, { low = false, yFromZero = fal
   return figure;
 }
 
+/** A chart of curves around a point. series: {label, values (of equal angles, clockwise from the top), n, dash}; most: the radius;
+ *  ends: names of the directions up, right, down and left; at: the text of an angle's number. */
+function polarChart(id, description, unit, most, series, ends, at) {
+  const canvas = h("canvas", { id, role: "img", "aria-label": description }), count = series[0].values.length, quarter = count / 4;
+  const make = () => new Chart(canvas, {
+    type: "radar",
+    data: { labels: series[0].values.map((_, i) => (i % quarter === 0 ? ends[i / quarter] : "")),
+      datasets: series.map(({ label, values, n, dash }) => ({ label, data: values, borderColor: seriesColour(n), backgroundColor: seriesColour(n), borderDash: dashes[(dash || 0) % 4], borderWidth: 2, pointRadius: 0, pointHitRadius: 8, fill: false })) },
+    options: {
+      interaction: { mode: "index", axis: "r", intersect: false },
+      scales: { r: { min: 0, max: most, grid: { circular: true, color: css("--line") }, angleLines: { color: ({ index }) => (index % quarter === 0 ? css("--line") : "transparent") },
+        pointLabels: { color: css("--ink"), font: { size: 14 } }, ticks: { color: css("--quiet"), backdropColor: css("--card"), maxTicksLimit: 5, includeBounds: false, callback: (value) => short(value) } } },
+      plugins: { legend: { display: false }, tooltip: { callbacks: { title: (items) => (items.length ? at(items[0].dataIndex) : ""), label: (item) => `${item.dataset.label}: ${short(item.parsed.r)} ${unit}` } } } } });
+  charts.push({ make, chart: null });
+  return h("figure", {}, h("div", { class: "chart round" }, canvas));
+}
+
 /** A place for a chart that its reader may change. */
 class ChartPlace {
   constructor() {

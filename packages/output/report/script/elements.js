@@ -113,6 +113,16 @@ function slider(id, text, count, value, change) {
   return { input, shown, element: count > 1 ? h("label", { class: "slider" }, text, input, shown) : null };
 }
 
+/** A list of what is to be known: tell("good", "look" or "note", text) adds to it. */
+function checkList() {
+  const list = h("ul", { class: "checks" });
+  const tell = (level, text) => list.append(h("li", {}, h("span", { class: `badge ${level}` }, { good: "in order", look: "look", note: "note" }[level]), h("span", {}, text)));
+  return { list, tell };
+}
+
+/** The ground of a number from -1 to 1: blue below zero, orange above. */
+const tint = (share) => `background: rgba(${share < 0 ? "11, 95, 158" : "184, 86, 11"}, ${(0.55 * Math.abs(share)).toFixed(3)})`;
+
 /** A section of the page. */
 function section(id, title, ...children) {
   const element = h("section", { id, "aria-labelledby": id + "-title" }, h("h2", { id: id + "-title" }, title), children);

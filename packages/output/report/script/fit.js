@@ -20,8 +20,7 @@ function fitTiles(runs, estimates, fitted) {
 
 /** What the log notes, and whether the misfit is one that the errors allow. */
 function fitChecks(runs, estimates, fitted) {
-  const list = h("ul", { class: "checks" }), notes = data.log.split("\n").filter((line) => line.startsWith("note: ")).map((line) => line.slice(6));
-  const tell = (level, text) => list.append(h("li", {}, h("span", { class: `badge ${level}` }, { good: "in order", look: "look", note: "note" }[level]), h("span", {}, text)));
+  const { list, tell } = checkList(), notes = data.log.split("\n").filter((line) => line.startsWith("note: ")).map((line) => line.slice(6));
   if (estimates.rows.length === 0) tell("look", "The fit did not come to its end: these are the runs that it made. The same command goes on from them.");
   else {
     const chi2 = Math.min(...runs.column("chi2").filter(Number.isFinite)), free = fitted.of - estimates.rows.length, spread = Math.sqrt(2 * Math.max(free, 1));
@@ -59,7 +58,7 @@ function correlationSection(estimates) {
   if (names.length < 2) return null;
   const rows = getters(estimates).map((get) => h("tr", {}, h("th", { scope: "row" }, get("parameter")), names.map((name) => {
     const text = get(`correlation with ${name}`), value = Number(text);
-    return text === "" ? h("td", {}, "–") : h("td", { style: `background: rgba(${value < 0 ? "11, 95, 158" : "184, 86, 11"}, ${(0.55 * Math.abs(value)).toFixed(3)})` }, value.toFixed(3));
+    return text === "" ? h("td", {}, "–") : h("td", { style: tint(value) }, value.toFixed(3));
   })));
   return section("correlations", "Correlations", h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Correlations" },
     h("table", {}, h("thead", {}, h("tr", {}, ["", ...names].map((name) => h("th", { scope: "col" }, name)))), h("tbody", {}, rows))),

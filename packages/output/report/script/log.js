@@ -18,6 +18,12 @@ function readLog(text) {
   };
 }
 
+/** Adds the notes of a log to a list of checks. */
+function tellNotes(log, tell) {
+  const serious = /locking|rounding|pieces|does not resolve|under-integrates|finer than voxels|not in balance|not drawn|not written|contrast|removed|left out|Stabilization/i;
+  for (const text of [...new Set(log.notes)]) tell(serious.test(text) ? "look" : "note", text);
+}
+
 /** The table of bounds: [["shear mu", {modulus, gain} x 4], ...]. */
 function boundsTable(lines) {
   return lines.slice(3).map((line) => line.trim().split(/\s{2,}/)).filter((row) => row.length === 5);

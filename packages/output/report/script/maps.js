@@ -12,14 +12,15 @@ function stepToShow(steps, history) {
   return of.at(-1) < 0.1 * of[most] ? most : steps.length - 1;
 }
 
-/** Two views of one plane, specimen and field, with sliders over z and step, and what is under the pointer. */
+/** Two views of one plane, specimen and field, with sliders over z and step, and what is under the pointer. Maps without fields have no
+ *  steps, and something else in the field's place. */
 class Maps {
   constructor(maps, image, run) {
     this.maps = maps;
     this.image = image !== null && typeof image === "object" ? image : null;
     this.time = timeUnit(Math.max(...maps.steps.map(({ time }) => time)));
     this.z = Math.floor(maps.count[2] / 2);
-    this.step = stepToShow(maps.steps, run);
+    this.step = maps.steps.length > 0 ? stepToShow(maps.steps, run) : 0;
     this.field = 0;
     this.layer = this.image ? "image" : "materials";
     this.probe = null;
@@ -29,7 +30,7 @@ class Maps {
     this.stepSlider = slider("step-slider", "Step", maps.steps.length, this.step, (s) => { this.step = s; this.draw(); });
   }
 
-  element() {
+  element(beside = null) {
     const { maps } = this;
     const layers = [...(this.image ? [["image", "Image"]] : []), ["materials", "Materials"]];
     const fields = maps.fields.map((field, f) => [String(f), shortNames[field.name] || fieldNames[field.name] || field.name]);
@@ -43,7 +44,7 @@ class Maps {
         h("figure", { class: "map" },
           h("div", { class: "controls" }, layers.length > 1 ? choice("layer", "What is shown of the specimen", layers, this.layer, (l) => { this.layer = l; this.draw(); }) : h("h3", {}, "Materials")),
           this.canvases.specimen, this.specimenScale, this.specimenLegend),
-        maps.fields.length === 0 ? null : h("figure", { class: "map" },
+        maps.fields.length === 0 ? beside : h("figure", { class: "map" },
           h("div", { class: "controls" }, choice("field", "Field", fields, "0", (f) => { this.field = Number(f); this.draw(); })),
           this.canvases.field, h("div", { class: "scale" }, h("div", { class: "bar", style: `background: ${gradient}` }), this.ticks), this.fieldCaption)),
       this.out, this.notes().map((text) => h("p", { class: "note" }, text)));
@@ -51,7 +52,8 @@ class Maps {
 
   notes() {
     const { maps } = this, notes = [];
-    if (maps.merged.some((n) => n > 1)) notes.push(`Down-sampled, so that this page stays small: a cell of the maps is the mean over ${maps.merged.join(" × ")} particles (of the strain, the largest principal value of the mean).`);
+    if (maps.merged.some((n) => n > 1) && maps.fields.length === 0) notes.push(`Down-sampled, so that this page stays small: a cell of the materials is the voxel in the middle of ${maps.merged.join(" × ")}.`);
+    else if (maps.merged.some((n) => n > 1)) notes.push(`Down-sampled, so that this page stays small: a cell of the maps is the mean over ${maps.merged.join(" × ")} particles (of the strain, the largest principal value of the mean).`);
     if (maps.steps.length < maps.steps_in_file) notes.push(`${maps.steps.length} of the ${maps.steps_in_file} steps of particles.e are shown.`);
     if (this.image && this.image.merged.some((n) => n > 1)) notes.push(`The image is down-sampled: means over ${this.image.merged.slice(0, 2).join(" × ")} voxels${this.image.merged[2] > 1 ? ` of one plane in ${this.image.merged[2]}` : ""}.`);
     if (typeof data.image === "string") notes.push(data.image);
@@ -107,11 +109,25 @@ class Maps {
       const { z, step, probe } = this;
       const fields = await Promise.all(this.maps.fields.map((_, f) => this.valuesOf(f, step)));
       const material = await bytesOf("map-material"), image = this.image ? await bytesOf("image") : null;
+      this.zSlider.shown.textContent = `${short(this.height(z))} µm (${z + 1} of ${this.maps.count[2]})`;
+      this.zSlider.input.setAttribute("aria-valuetext", this.zSlider.shown.textContent);
       this.drawSpecimen(z, material, image);
       if (fields.length > 0) this.drawField(z, step, fields[this.field]);
       for (const canvas of Object.values(this.canvases)) this.drawProbe(canvas, probe);
       this.tell(z, step, probe, fields, material, image);
     }
+  }
+
+  /** Draws them first, and again where the window changes its width; says so where the browser cannot. */
+  async begin() {
+    if (typeof DecompressionStream === "undefined") {
+      this.out.textContent = "This browser is too old to show the maps: it lacks DecompressionStream.";
+      return false;
+    }
+    await this.draw();
+    let width = window.innerWidth;
+    window.addEventListener("resize", () => { if (window.innerWidth !== width) { width = window.innerWidth; this.draw(); } });
+    return true;
   }
 
   height(z) { return this.maps.origin[2] + (z + 0.5) * this.maps.cell[2]; }
@@ -183,9 +199,7 @@ class Maps {
     this.ticks.replaceChildren(...[0, 0.25, 0.5, 0.75, 1].map((t) => h("span", {}, withUnit(low + t * range, t === 1 ? field.unit : "-"))));
     this.fieldCaption.textContent = `${name}, ${when}. In this plane from ${short(least)} to ${withUnit(most, field.unit)}. One scale for all planes and steps: ` +
       `from where 0.5 % lie below to where 0.5 % lie above; the whole field goes from ${short(field.low)} to ${withUnit(field.high, field.unit)}.`;
-    this.zSlider.shown.textContent = `${short(this.height(z))} µm (${z + 1} of ${maps.count[2]})`;
     this.stepSlider.shown.textContent = when.replace("step ", "");
-    this.zSlider.input.setAttribute("aria-valuetext", this.zSlider.shown.textContent);
     this.stepSlider.input.setAttribute("aria-valuetext", when);
   }
 

@@ -58,8 +58,7 @@ function overview(history, log) {
 
 /** Notes of the run, and what its results themselves say. */
 function checksSection(history, log) {
-  const list = h("ul", { class: "checks" });
-  const tell = (level, text) => list.append(h("li", {}, h("span", { class: `badge ${level}` }, { good: "in order", look: "look", note: "note" }[level]), h("span", {}, text)));
+  const { list, tell } = checkList();
   const load = history.last("load"), x = abscissa(data.supports[0], history, data.has_time), end = history.rows.length - 1;
   if (load >= 1) tell("good", `The run came to ${data.has_time ? `its end, ${x.at(end)},` : "full load"} in ${history.last("step")} steps.`);
   else tell("look", `The run ended at ${short(100 * load)} % of the load.`);
@@ -70,8 +69,7 @@ function checksSection(history, log) {
   checkBounds(history, log, tell);
   checkLastStep(history, x, tell);
   for (const text of log.errors) tell("look", text.replace(/^stroma: /, ""));
-  const serious = /locking|rounding|pieces|does not resolve|under-integrates|finer than voxels|not in balance|not drawn|not written|contrast|removed|left out|Stabilization/i;
-  for (const text of [...new Set(log.notes)]) tell(serious.test(text) ? "look" : "note", text);
+  tellNotes(log, tell);
   return { element: section("checks", "What to know of this run", list), tell };
 }
 
@@ -164,12 +162,6 @@ function showRun(main) {
     missing.length > 0 ? h("p", { class: "note" }, `Not in the folder, so not in this report: ${missing.join(", ")}.`) : null];
   main.append(...parts.filter((part) => part !== null));
   return async () => {
-    if (maps && typeof DecompressionStream === "undefined") maps.out.textContent = "This browser is too old to show the maps: it lacks DecompressionStream.";
-    else if (maps) {
-      await maps.draw();
-      let width = window.innerWidth;
-      window.addEventListener("resize", () => { if (window.innerWidth !== width) { width = window.innerWidth; maps.draw(); } });
-      await checkWidths(data.maps, log, checks.tell);
-    }
+    if (maps && (await maps.begin())) await checkWidths(data.maps, log, checks.tell);
   };
 }
