@@ -90,7 +90,8 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
   const MemoryEstimate estimate = estimate_memory(
       deck.parameters,
       {static_cast<double>(labels.values.size()), static_cast<double>(specimen.particles.count()),
-       static_cast<double>(nodes.count()), static_cast<double>(elements.extent(2))});
+       static_cast<double>(nodes.count()), static_cast<double>(elements.extent(2)),
+       measured_numbers(deck.parameters, labels.size, specimen.body, communicator.size())});
   const auto most = [&](double bytes) { return base::readable_bytes(communicator.max(bytes)); };
   const double program = base::program_memory;
   log.line(format(
@@ -102,6 +103,10 @@ void check_memory(const base::Communicator& communicator, const Deck& deck,
       most(estimate.seeding).c_str(), most(estimate.particles).c_str(),
       most(estimate.results).c_str(), most(estimate.tangent).c_str(),
       most(estimate.vectors).c_str(), most(estimate.preconditioner).c_str()));
+  if (estimate.measured > 0.0)
+    log.line(
+        format("            images of displacements or velocities, with the specimen's voxels: %s",
+               most(estimate.measured).c_str()));
   if (deck.parameters.solver.preconditioner == solver::PreconditionerKind::direct)
     log.note("the factors of Preconditioner = Direct come on top; they grow fast with the grid");
 }

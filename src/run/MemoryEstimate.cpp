@@ -42,13 +42,40 @@ std::string blame(const DeckParameters& parameters, const MemoryEstimate& estima
 }  // namespace
 
 double MemoryEstimate::bytes() const {
-  return std::max({image, seeding, solving(), particles + results + vectors + tables});
+  return std::max({image, seeding, solving(), particles + measured + results + vectors + tables});
+}
+
+double measured_numbers(const DeckParameters& parameters, const std::array<std::int64_t, 3>& voxels,
+                        const grid::Grid& body, int ranks) {
+  const int elements = grid::grid_for(parameters.grid.shape_functions, body).width - 1;
+  std::array<double, 3> beside{};  // voxels of a face's layer
+  double all = 1.0;
+  for (std::size_t d = 0; d < 3; ++d) all *= static_cast<double>(voxels[d]);
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto along = static_cast<double>(voxels[d]);
+    const double deep = elements * along / static_cast<double>(body.elements[d]) + 1.0;
+    beside[d] = all / along * std::min(deep, along);
+  }
+  double numbers = 0.0;
+  for (const auto& [name, condition] : parameters.boundary_conditions.conditions) {
+    if (!condition.images) continue;
+    int components = 0;
+    for (int component = 0; component < 3; ++component)
+      components += condition.prescribes(component) ? 1 : 0;
+    for (int face = 0; face < 6; ++face)
+      if (condition.applies_to(static_cast<mechanics::Face>(face)))
+        numbers += components * beside[static_cast<std::size_t>(face / 2)];
+  }
+  if (!parameters.grid.reset) numbers /= ranks;  // else each rank keeps all of the faces
+  for (const auto& [name, condition] : parameters.initial_conditions.conditions)
+    if (condition.images) numbers += 3.0 * all / ranks;
+  return numbers;
 }
 
 Counts even_counts(const DeckParameters& parameters, const std::array<std::int64_t, 3>& voxels,
                    const grid::Grid& body, double filled, int ranks) {
   const grid::Grid grid = grid::grid_for(parameters.grid.shape_functions, body);
-  Counts counts{1.0, filled, 1.0, 0.0};
+  Counts counts{1.0, filled, 1.0, 0.0, measured_numbers(parameters, voxels, body, ranks)};
   for (int d = 0; d < 3; ++d) {
     const std::int64_t along = voxels[static_cast<std::size_t>(d)];
     counts.voxels *= static_cast<double>(along);
@@ -83,15 +110,12 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   // what particles take from them.
   const double of_fields = material::vary(materials) ? 28.0 : 0.0;
   const double taken = material::vary(materials) ? 16.0 + 2.0 * seeded : 0.0;
-  const auto& conditions = parameters.boundary_conditions.conditions;
-  const bool are_measured =
-      std::any_of(conditions.begin(), conditions.end(),
-                  [](const auto& named) { return named.second.images.has_value(); });
+  estimate.measured = sizeof(double) * counts.measured;
   // An image of displacements is read beside the labels; it may have other voxels than they.
-  const double measured = are_measured ? 4.0 : 0.0;
-  estimate.seeding = (8.0 + intensities + of_fields + measured) * counts.voxels +
-                     (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles +
-                     taken * counts.particles;
+  const double measured = counts.measured > 0.0 ? 4.0 : 0.0;
+  estimate.seeding =
+      (8.0 + intensities + of_fields + measured) * counts.voxels + estimate.measured +
+      (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles + taken * counts.particles;
   estimate.particles = (resets ? 2.0 * moving + seeded : seeded + kept) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =
@@ -137,6 +161,9 @@ void require_memory(const base::Communicator& communicator, const DeckParameters
     counted += format(
         "%.3g particles (%s), ", ranks * counts.particles,
         readable_bytes(std::max(estimate.seeding, estimate.particles + estimate.results)).c_str());
+  if (counts.measured > 0.0)
+    counted += format("images of displacements or velocities (%s), ",
+                      readable_bytes(estimate.measured).c_str());
   counted +=
       format("%.3g unknowns (%s)", 3.0 * ranks * counts.nodes,
              readable_bytes(estimate.tangent + estimate.vectors + estimate.preconditioner).c_str());

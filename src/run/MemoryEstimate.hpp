@@ -20,6 +20,7 @@ struct Counts {
   double particles;  ///< in its elements
   double nodes;      ///< that its elements touch
   double layers;     ///< of its elements along z
+  double measured;   ///< numbers of images of displacements and velocities that it keeps
 };
 
 /// Bytes on a rank. The image is done with when particles are made, and they are when the balance
@@ -33,10 +34,13 @@ struct MemoryEstimate {
   double tangent;         ///< the matrix
   double vectors;         ///< of unknowns
   double preconditioner;  ///< but for the factors of Direct
+  double measured;        ///< what is kept of images of displacements and velocities
 
   double tables;  ///< of the last step, when tangent and preconditioner are gone
 
-  double solving() const { return particles + results + tangent + vectors + preconditioner; }
+  double solving() const {
+    return particles + measured + results + tangent + vectors + preconditioner;
+  }
   double bytes() const;
 };
 
@@ -46,6 +50,11 @@ struct MemoryEstimate {
 inline double room_for_tables(double nodes) { return 650.0 * nodes; }
 
 MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& counts);
+
+/// Numbers of images of displacements and velocities that a rank keeps (run/MeasuredFields.hpp), if
+/// they have the specimen's voxels; of velocities an even share.
+double measured_numbers(const DeckParameters& parameters, const std::array<std::int64_t, 3>& voxels,
+                        const grid::Grid& body, int ranks);
 
 /// The counts of an even share of the ranks.
 /// \param voxels  of the image or its region

@@ -11,6 +11,7 @@
 
 #include "stroma/base/Memory.hpp"
 #include "support/Program.hpp"
+#include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
@@ -111,6 +112,45 @@ TEST(Memory, TheEstimateIsWhatRunsTake) {
                   100.0 * (estimate / peak - 1.0));
       EXPECT_LT(std::abs(estimate / peak - 1.0), 0.25);
     }
+}
+
+// 24 bytes a voxel of a body's velocities, and less of the displacements of a face, are counted while
+// particles are made and while steps are solved.
+TEST(Memory, TheEstimateKnowsMeasuredFields) {
+  const TemporaryFolder folder;
+  constexpr int n = 128;
+  for (const char* component : {"v_x", "v_y", "v_z"})
+    write_stack<std::uint8_t>(folder, component, {n, n, n}, [](int, int j, int) { return j; });
+  folder.write("body.yaml", R"(Stroma:
+  Image:
+    Phantom: {Kind: Uniform, Size: [128, 128, 128], "Voxel Size [um]": [1, 1, 1]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3, "Density [kg/m^3]": 1000}
+  Particles: {Layout: Per Element, Per Element: 2}
+  Grid: {"Element Size [um]": [8, 8, 8]}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xy, Displacement Images: {Images: [v_x.mhd, v_y.mhd, v_z.mhd], "Voxel Size [um]": [1, 1, 1]}}
+  Initial Conditions:
+    drift: {Velocity Images: {Images: [v_x.mhd, v_y.mhd, v_z.mhd], "Voxel Size [um]": [1, 1, 1]}}
+  Loading: {Inertia: true, "Duration [s]": 1.0e-8, Steps: 1}
+  Output: {Pictures: false, Report: false, Tables: false}
+)");
+  for (const int ranks : {1, 2}) {
+    const Outcome check = run_stroma(folder.path(), "check body.yaml", ranks);
+    ASSERT_EQ(check.status, 0) << check.standard_error;
+    const double kept = 8.0 * (3.0 * n + 2.0 * 9.0) * n * n / ranks;
+    EXPECT_NEAR(bytes_behind(check.standard_output, "with the specimen's voxels: "), kept,
+                0.02 * kept)
+        << check.standard_output;
+    const Outcome run = run_stroma(folder.path(), "run body.yaml -o out", ranks);
+    ASSERT_EQ(run.status, 0) << run.standard_error;
+    const double estimate = bytes_behind(check.standard_output, "memory      about ");
+    const double peak = bytes_behind(run.standard_output, "\nmemory  ");
+    std::printf("  %d ranks: estimate %s, peak %s, %+.0f %%\n", ranks,
+                base::readable_bytes(estimate).c_str(), base::readable_bytes(peak).c_str(),
+                100.0 * (estimate / peak - 1.0));
+    EXPECT_LT(std::abs(estimate / peak - 1.0), 0.25);
+  }
 }
 
 }  // namespace

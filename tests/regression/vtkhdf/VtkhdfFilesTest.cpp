@@ -14,6 +14,7 @@
 #include "stroma/output/files/StateFile.hpp"
 #include "support/ExodusReader.hpp"
 #include "support/SmallDeck.hpp"
+#include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
@@ -67,7 +68,8 @@ Values of_vtkhdf(const fs::path& path, const std::string& name, std::size_t comp
 }
 
 /// Of each step the same values, to the last bit.
-void expect_same(const fs::path& folder, int ranks, bool is_reset) {
+void expect_same(const fs::path& folder, int ranks, bool is_reset,
+                 const std::vector<std::string>& vectors = {"displacement", "residual"}) {
   const auto particles = listed(folder, "particles"), grids = listed(folder, "grid");
   const History history(folder / "history.csv");
   ASSERT_EQ(particles.size(), history.rows());
@@ -88,7 +90,7 @@ void expect_same(const fs::path& folder, int ranks, bool is_reset) {
     EXPECT_EQ(of_vtkhdf(particles[n].path, "displacement", 1, 3), of_particles("displacement_y"));
     const std::string grid = is_reset && s > 0 ? base::format("grid.e-s%03d", s + 1) : "grid.e";
     const int step = is_reset ? 1 : s + 1;
-    for (const std::string& name : {std::string("displacement"), std::string("residual")})
+    for (const std::string& name : vectors)
       EXPECT_EQ(of_vtkhdf(grids[n].path, name, 1, 3),
                 of_exodus(folder / grid, ranks, step, EX_NODAL, name + "_y"));
   }
@@ -111,6 +113,48 @@ TEST(VtkhdfFiles, HaveWhatTheExodusFilesHave) {
       EXPECT_EQ(verified.status, 0) << verified.standard_output;
       EXPECT_NE(verified.standard_output.find("grid.hdf.series good"), std::string::npos)
           << verified.standard_output;
+    }
+}
+
+/// The same body with inertia, set out with a shear that images hold.
+std::string moving_deck(const std::string& grid) {
+  std::string deck = long_deck(grid, 2);
+  const auto replace = [&](const std::string& what, const std::string& by) {
+    deck.replace(deck.find(what), what.size(), by);
+  };
+  replace(
+      "      Poisson Ratio: 0.4\n      Viscosity: {Moduli: [0.6], \"Relaxation Times [s]\": [1.5]}",
+      "      Poisson Ratio: 0.4\n      \"Density [kg/m^3]\": 1000");
+  replace("1000, Poisson", "1000, \"Density [kg/m^3]\": 1000, Poisson");
+  replace("    bottom: {Face: y-, Components: xyz, \"Displacement [um]\": [0, 0, 0]}\n",
+          "    bottom: {Face: y-, Components: y, \"Displacement [um]\": [0, 0, 0]}\n");
+  replace("Components: xyz, Strain", "Components: y, Strain");
+  replace("{\"Times [s]\": [1.0, 2.0]}", "{Inertia: true, \"Times [s]\": [1.0e-5, 2.0e-5]}");
+  replace("  Loading:",
+          "  Initial Conditions:\n    shear: {Velocity Images: {Images: [v.mhd, v.mhd, v.mhd], "
+          "\"Voxel Size [um]\": [1, 1, 1]}}\n  Loading:");
+  return deck;
+}
+
+// V-VTKHDF-1. Velocities of a body in motion, too: at rest they are those of the images.
+TEST(VtkhdfFiles, HaveTheVelocitiesOfABodyWithInertia) {
+  const TemporaryFolder folder;
+  write_stack<double>(folder, "v", {12, 12, 12},
+                      [](int, int, int k) { return 1000.0 * (k + 0.5); });
+  for (const bool is_reset : {false, true})
+    for (const int ranks : {1, 2}) {
+      const std::string out = std::string(is_reset ? "reset" : "plain") + std::to_string(ranks);
+      folder.write("gel.yaml", moving_deck(is_reset ? ", Reset: true, Shape Functions: GIMP" : ""));
+      const Outcome outcome =
+          run_stroma(folder.path(), "run gel.yaml --quiet -o " + out + vtkhdf, ranks);
+      ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+      expect_same(folder / out, ranks, is_reset, {"displacement", "residual", "velocity"});
+      const output::StateReader grid(listed(folder / out, "grid").front().path);
+      const auto places = grid.get<double>("VTKHDF/Points"),
+                 velocities = grid.get<double>("VTKHDF/PointData/velocity");
+      ASSERT_EQ(velocities.size(), places.size());
+      for (std::size_t n = 0; n < places.size(); n += 3)
+        EXPECT_NEAR(velocities[n], 1000.0 * places[n + 2], 1e-6) << places[n + 2];
     }
 }
 
