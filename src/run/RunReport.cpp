@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -55,6 +56,53 @@ bool holds_sideways(const DeckParameters& parameters) {
   });
 }
 
+using mechanics::BoundaryCondition;
+using mechanics::Face;
+
+/// Along which axes walls at both ends keep the body's length.
+json described_walls(const DeckParameters& parameters, const std::array<double, 3>& length) {
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  json walls = json::array();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto stands = [&](bool upper) {
+      const Face face = mechanics::face_of(axis, upper);
+      const std::array<double, 3> at = upper ? length : std::array<double, 3>{};
+      return std::any_of(conditions.begin(), conditions.end(), [&](const auto& named) {
+        const BoundaryCondition& condition = named.second;
+        return condition.applies_to(face) && condition.keeps_plane(face) && !condition.images &&
+               condition.full(axis, at, {}, length) == 0.0;
+      });
+    };
+    walls.push_back(stands(false) && stands(true));
+  }
+  return walls;
+}
+
+/// Shear strains of the body between faces that move in their planes and faces that stay, by the
+/// names of the conditions that move.
+json described_shears(const DeckParameters& parameters, const std::array<double, 3>& length) {
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  json shears = json::object();
+  for (const output::MovingSupport& support : moving_supports(parameters, length)) {
+    const std::optional<Face> face = conditions[support.index].second.face;
+    if (!face || *face == Face::all) continue;
+    const int axis = mechanics::axis_of(*face);
+    const auto a = static_cast<std::size_t>(axis);
+    const Face opposite = mechanics::face_of(axis, !mechanics::is_upper(*face));
+    const bool is_held = std::any_of(conditions.begin(), conditions.end(), [&](const auto& named) {
+      const BoundaryCondition& condition = named.second;
+      return condition.face == opposite && condition.loaded_component(length) < 0 &&
+             condition.prescribes((axis + 1) % 3) && condition.prescribes((axis + 2) % 3) &&
+             !condition.images && !condition.rotation;
+    });
+    if (is_held && support.displacement[a] == 0.0)
+      shears[support.name] =
+          std::hypot(support.displacement[(a + 1) % 3], support.displacement[(a + 2) % 3]) /
+          length[a];
+  }
+  return shears;
+}
+
 /// What the page has to know of the faces that turn.
 json described_turns(const DeckParameters& parameters) {
   json turns = json::array();
@@ -89,6 +137,8 @@ json data_of(const Deck& deck, const output::RunFiles& files,
   data["maps"] = maps_of(files, length, arrays);
   data["length"] = length;
   data["supports"] = described_supports(p, length);
+  data["shears"] = described_shears(p, length);
+  data["walls"] = described_walls(p, length);
   data["tables"] = json::object();
   for (const std::string& table : output::table_files()) {
     const std::string text = base::file_content(files.file(table));

@@ -115,6 +115,31 @@ TEST(Report, OfATurnedFaceShowsItsTorque) {
   EXPECT_EQ(wrong_with_deck("15_rigs/torsion.yaml", ""), "");
 }
 
+// V-REPORT. The bounds of a body are those of the modulus that its rig asks for, and a shear is one.
+TEST(Report, OfARigKnowsWhatItAsksFor) {
+  SKIP_WITHOUT_BROWSER();
+  struct Case {
+    const char *rig, *says;
+  };
+  for (const Case& one :
+       {Case{"confined_compression",
+             "'for K + 4/3 mu, of a body that cannot widen.' 'between Reuss' '!LOOK' '!look'"},
+        Case{"unconfined_compression", "\"for Young's E.\" 'between Reuss'"},
+        Case{"biaxial", "'!Bounds: force'"},
+        Case{"simple_shear", "'Force against shear strain'"}}) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_stroma(
+        folder.path(),
+        "run " + quoted(clone / "input_decks/15_rigs" / (one.rig + std::string(".yaml"))) +
+            " -o run --quiet --set 'Grid|Elements={8, 8, 8}'");
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+    EXPECT_EQ(wrong(folder, std::string("says run ") + one.says), "") << one.rig;
+    if (one.rig == std::string("simple_shear")) {
+      EXPECT_EQ(wrong(folder, "run run"), "");
+    }
+  }
+}
+
 // V-REPORT
 TEST(Report, OfAPressureShowsItAgainstTheVolume) {
   SKIP_WITHOUT_BROWSER();

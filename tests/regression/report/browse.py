@@ -6,6 +6,7 @@
     browse.py study DIR
     browse.py fit DIR
     browse.py stiffness DIR
+    browse.py says DIR TEXT...        of any: what it says, and with ! before it what it does not
     browse.py layout DIR              of any: that it is drawn
 """
 import contextlib
@@ -137,7 +138,7 @@ def check_forces(driver, rows, data):
     expect_curve(curve, [sign * f for f in numbers(rows, f"{support['name']}.reaction_{'xyz'[axis]}")], unit, f"the force of {support['name']}")
     seconds_in_unit = unit_of(driver, "force-chart", "x") if data["has_time"] else None
     for point, load, seconds in zip(curve["data"], numbers(rows, "load"), numbers(rows, "time")):
-        x = seconds / seconds_in_unit if data["has_time"] else 100.0 * load * support["strain"]
+        x = seconds / seconds_in_unit if data["has_time"] else 100.0 * load * (support["strain"] or data["shears"][support["name"]])
         expect(near(point["x"], x, 1e-12), f"drawn at {point['x']} instead of {x}")
 
 
@@ -437,6 +438,11 @@ def main():
             check_fit(driver, folder)
         elif kind == "stiffness":
             check_stiffness(driver, folder)
+        elif kind == "says":
+            open_page(driver, folder / "report.html", 1280, "light")
+            page = driver.find_element(By.ID, "main").text
+            for text in sys.argv[3:]:
+                expect((text.lstrip("!") in page) != text.startswith("!"), f"the page and '{text}'")
         elif kind == "layout":
             check_layout(driver, folder / "report.html")
         else:

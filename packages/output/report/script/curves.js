@@ -28,9 +28,18 @@ function abscissa(support, history, hasTime) {
   const load = history.column("load");
   if (hasTime) return timeAxis(history);
   if (support && support.follows_load && support.strain !== 0) return axisOf("strain", "%", load.map((l) => 100 * l * support.strain));
+  const shear = support && data.shears ? data.shears[support.name] : 0;
+  if (shear && support.follows_load) return axisOf("shear strain", "%", load.map((l) => 100 * l * shear));
   const way = support ? Math.hypot(...support.displacement) : 0;
   if (support && support.follows_load && way > 0) return axisOf("displacement", "µm", load.map((l) => l * way));
   return axisOf("load", "", load);
+}
+
+/** What a run's curves are drawn against: what its first support does, or how far its first face has turned. */
+function runAbscissa(history) {
+  const turn = data.turning[0];
+  if (data.supports.length > 0 || data.has_time || !turn || !turn.follows_load) return abscissa(data.supports[0], history, data.has_time);
+  return axisOf("angle", "°", history.column("load").map((l) => l * turn.degrees));
 }
 
 /** The row where a column is largest, by its size. */
@@ -61,7 +70,7 @@ function withTimeScale(x, draw) {
 }
 
 function forceSection(history) {
-  const x = abscissa(data.supports[0], history, data.has_time), { curves, what } = forcesOf(history);
+  const x = runAbscissa(history), { curves, what } = forcesOf(history);
   const many = history.excerptNote();
   const ends = [many ? h("p", { class: "note" }, many) : null, lazyDetails("history.csv, as numbers", () => htmlTable("history.csv", history.names, history.rows, { tall: true }))];
   if (curves.length === 0) {
@@ -82,9 +91,7 @@ function forceSection(history) {
 function torqueSection(history) {
   const turns = data.turning.filter(({ name }) => history.has(`${name}.torque`));
   if (turns.length === 0) return null;
-  const first = turns[0], load = history.column("load");
-  const x = data.has_time || !first.follows_load ? abscissa(null, history, data.has_time) : axisOf("angle", "°", load.map((l) => l * first.degrees));
-  const curves = turns.map(({ name }) => ({ label: name, values: history.column(`${name}.torque`) })), unit = torqueUnit(Math.max(...curves.map((curve) => largest(curve.values))));
+  const x = runAbscissa(history), curves = turns.map(({ name }) => ({ label: name, values: history.column(`${name}.torque`) })), unit = torqueUnit(Math.max(...curves.map((curve) => largest(curve.values))));
   const title = `Torque against ${x.what}`;
   return section("torque", title, lineChart("torque-chart", `${title}: ${curves.map(({ label, values }) => `${label} ${short(values.at(-1) / unit.size)} ${unit.name} at the end`).join(", ")}`,
     x.name, `torque (${unit.name})`, inUnit(curves, x, unit), { legend: curves.length > 1 }));

@@ -20,8 +20,9 @@ function readLog(text) {
 
 /** Adds the notes of a log to a list of checks. */
 function tellNotes(log, tell) {
-  const serious = /locking|rounding|pieces|does not resolve|under-integrates|finer than voxels|not in balance|not drawn|not written|contrast|removed|left out|Stabilization/i;
-  for (const text of [...new Set(log.notes)]) tell(serious.test(text) ? "look" : "note", text);
+  const serious = /locking|rounding|pieces|does not resolve|under-integrates|finer than voxels|not in balance|not drawn|not written|contrast|removed|left out|held by nothing/i;
+  const isSerious = (text) => serious.test(text) || Number((/Stabilization adds (\S+) to/.exec(text) || [])[1]) > 1e-3;
+  for (const text of [...new Set(log.notes)]) tell(isSerious(text) ? "look" : "note", text[0].toUpperCase() + text.slice(1));
 }
 
 /** The table of bounds: [["shear mu", {modulus, gain} x 4], ...]. */

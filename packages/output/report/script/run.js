@@ -36,20 +36,20 @@ function figureTile(title, values, x, unit, more = "") {
 }
 
 function overview(history, log) {
-  const x = abscissa(data.supports[0], history, data.has_time), load = history.last("load"), pascal = { name: "Pa", size: 1 };
-  const list = [];
-  for (const { label, values } of forcesOf(history).curves.slice(0, data.supports.length > 0 ? 2 : 1)) list.push(figureTile(`Force of ${label}`, values, x, forceUnit(largest(values))));
-  for (const { name, degrees } of data.turning.filter((turn) => history.has(`${turn.name}.torque`)).slice(0, 1)) {
+  const x = runAbscissa(history), load = history.last("load"), pascal = { name: "Pa", size: 1 };
+  const list = [], turns = data.turning.filter((turn) => history.has(`${turn.name}.torque`)).slice(0, 1);
+  for (const { name, degrees } of turns) {
     const torque = history.column(`${name}.torque`);
-    list.push(figureTile(`Torque of ${name}`, torque, x, torqueUnit(largest(torque)), `; ${short(degrees)}° at full load`));
+    list.push(figureTile(`Torque of ${name}`, torque, x, torqueUnit(largest(torque)), x.what === "angle" ? "" : `; ${short(degrees)}° at full load`));
   }
+  for (const { label, values } of forcesOf(history).curves.slice(0, data.supports.length > 0 ? 2 : 1)) list.push(figureTile(`Force of ${label}`, values, x, forceUnit(largest(values))));
   for (const name of data.pressures.filter((one) => history.has(`${one}.pressure`)).slice(0, 1)) {
     const volume = history.column(`${name}.volume`), most = rowOfMost(volume);
     list.push([`Volume of ${name}`, `× ${short(volume[most] / volume[0])}`, `largest, at ${short(history.column(`${name}.pressure`)[most])} Pa, ${x.at(most)}`]);
   }
   for (const name of data.materials.filter((one) => !data.pressures.includes(one)).slice(0, 3)) {
     const mean = history.column(`${name}.von_mises_mean`);
-    list.push(figureTile(`Mean von Mises, ${name}`, mean, x, pascal, `; anywhere ${short(Math.max(...history.column(`${name}.von_mises_max`)))} Pa`));
+    list.push(figureTile(`Mean von Mises, ${name}`, mean, x, pascal, `; anywhere up to ${short(Math.max(...history.column(`${name}.von_mises_max`)))} Pa`));
   }
   list.push(["Steps", String(history.last("step")), load < 1 ? `load ${short(load)} of 1 reached` : data.has_time ? "the end reached" : "full load reached"]);
   list.push(["Run time", `${short(history.last("wall_seconds"), 3)} s`, log.particles ? log.particles.replace(/,? on /, " particles, on ").replace(/^(\d+) particles/, (_, n) => `${Number(n).toLocaleString("en")} particles`) : null]);
@@ -59,7 +59,7 @@ function overview(history, log) {
 /** Notes of the run, and what its results themselves say. */
 function checksSection(history, log) {
   const { list, tell } = checkList();
-  const load = history.last("load"), x = abscissa(data.supports[0], history, data.has_time), end = history.rows.length - 1;
+  const load = history.last("load"), x = runAbscissa(history), end = history.rows.length - 1;
   if (load >= 1) tell("good", `The run came to ${data.has_time ? `its end, ${x.at(end)},` : "full load"} in ${history.last("step")} steps.`);
   else tell("look", `The run ended at ${short(100 * load)} % of the load.`);
   if (log.rejected.length > 0) tell("look", `${log.rejected.length} step${log.rejected.length > 1 ? "s were" : " was"} rejected and halved; the first: ${log.rejected[0]}`);
@@ -95,20 +95,30 @@ function meanStress(history) {
   return history.rows.map((_, row) => of.reduce((sum, [volume, mean]) => sum + volume[row] * mean[row], 0) / of.reduce((sum, [volume]) => sum + volume[row], 0));
 }
 
-/** Whether the stiffness at small strain lies between the bounds for a body between plane grips. */
+/** The modulus by which a body resists a strain along one axis, of the bounds' moduli of one kind: with its sides free or between walls. */
+function modulusAlong(axis, bounds) {
+  const isFlat = /rollers/.test(bounds.at(-1)[0]), walls = [0, 1, 2].filter((d) => d !== axis && data.walls[d] && !(isFlat && d === 2)).length;
+  if (walls === 0) return { name: bounds.at(-1)[0], of: (G, K, E) => E };
+  if (isFlat) return { name: "k + mu, of a body that cannot widen", of: (G, k) => k + G };
+  if (walls === 1) return { name: "4 G (3 K + G) / (3 K + 4 G), of a body that can widen along one axis", of: (G, K) => (4 * G * (3 * K + G)) / (3 * K + 4 * G) };
+  return { name: "K + 4/3 mu, of a body that cannot widen", of: (G, K) => K + (4 / 3) * G };
+}
+
+/** Whether the stiffness at small strain lies between the bounds for a body between plane grips that move along one axis. */
 function checkBounds(history, log, tell) {
-  const young = boundsTable(log.bounds).at(-1), support = data.supports[0];
-  if (!young || !support || !support.strain || !support.follows_load || data.has_time || history.rows.length < 3) return;
+  const bounds = boundsTable(log.bounds), support = data.supports[0];
+  if (bounds.length !== 3 || !support || !support.strain || !support.follows_load || data.has_time || history.rows.length < 3) return;
   const axis = support.displacement.findIndex((part) => part !== 0), area = data.length.reduce((product, edge, d) => (d === axis ? product : product * edge), 1);
+  if (data.supports.some(({ displacement }) => displacement.some((part, d) => d !== axis && part !== 0))) return;
   const force = forceAlong(support, history), load = history.column("load");
   const secant = (s) => force[s] / (area * Math.abs(support.strain) * load[s]);
   const small = secant(1) + ((secant(1) - secant(2)) * load[1]) / (load[2] - load[1]); // at no strain, by the first two steps
-  const reuss = parseFloat(young[1]), voigt = parseFloat(young[4]), name = young[0];
-  data.small_strain_modulus = small;
+  const modulus = modulusAlong(axis, bounds), [reuss, voigt] = [1, 4].map((kind) => modulus.of(...bounds.map((row) => parseFloat(row[kind])))), { name } = modulus;
+  data.small_strain = `Force per area and strain of this run, at small strain: ${short(small)} Pa. By Reuss ${short(reuss)} Pa, by Voigt ${short(voigt)} Pa, for ${name}.`;
   const where = `${short(small)} Pa at small strain`;
-  if (small < 0.99 * reuss) tell("look", `Bounds: force per area and strain is ${where}, below Reuss's bound of ${name}, ${short(reuss)} Pa: empty space, or a grip that does not hold, would explain it.`);
-  else if (small > 1.01 * voigt && data.holds_sideways) tell("note", `Bounds: force per area and strain is ${where}, above Voigt's bound of ${name}, ${short(voigt)} Pa, which is one for rollers: grips that hold sideways stiffen a body.`);
-  else if (small > 1.01 * voigt) tell("look", `Bounds: force per area and strain is ${where}, above Voigt's bound of ${name}, ${short(voigt)} Pa.`);
+  if (small < 0.99 * reuss) tell("look", `Bounds: force per area and strain is ${where}, below Reuss's bound, ${short(reuss)} Pa, for ${name}: empty space, or a grip that does not hold, would explain it.`);
+  else if (small > 1.01 * voigt && data.holds_sideways) tell("note", `Bounds: force per area and strain is ${where}, above Voigt's bound, ${short(voigt)} Pa, for ${name}, which is one for rollers: grips that hold sideways stiffen a body.`);
+  else if (small > 1.01 * voigt) tell("look", `Bounds: force per area and strain is ${where}, above Voigt's bound, ${short(voigt)} Pa, for ${name}.`);
   else tell("good", `Bounds: force per area and strain is ${where}, between Reuss (${short(reuss)} Pa) and Voigt (${short(voigt)} Pa) for ${name}.`);
 }
 
@@ -128,7 +138,7 @@ function boundsSection(log) {
   if (rows.length === 0) return null;
   return section("bounds", "Bounds of the mixture", h("p", { class: "quiet" }, `${log.bounds[0].replace(/^bounds\s+/, "")}: ${log.bounds[1].trim()}`),
     htmlTable("Bounds", ["", "Reuss", "Hashin-Shtrikman, lower", "Hashin-Shtrikman, upper", "Voigt"], rows.map((row) => row.map((text) => text.replace(/ ([+-]\S+ %)$/, " ($1)")))),
-    data.small_strain_modulus ? h("p", { class: "note" }, `Force per area and strain of this run, at small strain: ${short(data.small_strain_modulus)} Pa.`) : null);
+    data.small_strain ? h("p", { class: "note" }, data.small_strain) : null);
 }
 
 /** "NAME: FACT" lines of the comment at the head of deck.xml. */
