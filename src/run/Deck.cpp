@@ -140,9 +140,14 @@ void refuse_what_stiffness_has_not(const DeckParameters& p, deck::Findings& find
   refuse(!p.external_forces.forces.empty(), "External Forces",
          "are not used" + with + ", whose load cases are its own");
   refuse(p.grid.reset, "Grid|Reset", "found true; admissible" + with + ": false");
-  refuse(p.grid.plane_strain, "Grid|Plane Strain", "found true; admissible" + with + ": false");
-  refuse(p.grid.shape_functions != shape::ShapeFunctions::linear, "Grid|Shape Functions",
-         "admissible" + with + ": Linear");
+  refuse(p.grid.plane_strain, "Grid|Plane Strain",
+         "found true; admissible" + with +
+             ": false; of one layer of elements along z, Boundary = Mixed gives the components xx, "
+             "yy, xy of plane strain");
+  refuse(
+      p.grid.shape_functions != shape::ShapeFunctions::linear, "Grid|Shape Functions",
+      "admissible" + with +
+          ": Linear, whose nodes lie on the faces, where displacements or tractions are uniform");
   refuse(p.grid.deformation_gradient != mechanics::DeformationGradient::incremental,
          "Grid|Deformation Gradient", "admissible" + with + ": Incremental");
   for (const auto& [name, material] : p.materials.materials) {

@@ -216,6 +216,51 @@ TEST_F(Stiffness, IsTheSameOnAnyNumberOfRanks) {
   }
 }
 
+// Of one layer of elements, mixed conditions along z are plane strain: mean stresses of the layer
+// under unit strains in its plane by a run in plane strain, whose faces do what those conditions say.
+TEST_F(Stiffness, OfOneLayerWithMixedConditionsIsThatOfPlaneStrain) {
+  write({8, 8, 1}, random_stack(6, 0.4));
+  const std::string layer = deck(two_materials, "8, 8, 1");
+  const Matrix6 found = matrix(run(layer)["stiffness"]["Mixed"]["mean stress"]);
+  constexpr double strain = 1e-7, length[3] = {8.0, 10.0, 0.8};
+  const auto stress = [&](const std::string& conditions) {
+    std::string text = layer;
+    text.replace(text.find("  Rig: {Kind: Stiffness}"), 24,
+                 "  Loading: {Steps: 1}\n  Solver: {Newton Tolerance: 1.0e-12, Linear Tolerance: "
+                 "1.0e-12}\n  Boundary Conditions:\n" +
+                     conditions);
+    text.replace(text.find("Grid: {"), 7, "Grid: {Plane Strain: true, ");
+    const Outcome outcome = stroma(text, "run deck.yaml --quiet -o flat");
+    EXPECT_EQ(outcome.status, 0) << text << outcome.standard_error;
+    const History history(folder_ / "flat/history.csv");
+    const auto mean = [&](const std::string& face, int component) {
+      const int across = face[0] - 'x';
+      const double area = length[1 - across] * length[2];
+      return history[face + ".reaction_" + std::string(1, "xyz"[component])].back() / area / strain;
+    };
+    return std::array<double, 3>{mean("x+", 0), mean("y+", 1), mean("x+", 1)};
+  };
+  const std::string held = "    x-: {Face: x-, Components: x}\n    y-: {Face: y-, Components: y}\n";
+  const auto along_x = stress(held +
+                              "    x+: {Face: x+, Components: x, Strain: 1.0e-7}\n"
+                              "    y+: {Face: y+, Components: y}\n"),
+             along_y = stress(held +
+                              "    x+: {Face: x+, Components: x}\n"
+                              "    y+: {Face: y+, Components: y, Strain: 1.0e-7}\n");
+  std::string sheared;
+  for (const char* face : {"x-", "x+", "y-", "y+"})
+    sheared += "    " + std::string(face) + ": {Face: " + face +
+               ", Components: " + (face[0] == 'x' ? "y" : "x") +
+               ", Displacement Gradient: [0, 0.5e-7, 0, 0.5e-7, 0, 0, 0, 0, 0]}\n";
+  const double shear = stress(sheared)[2];
+  const double tolerance = 1e-6 * found(0, 0);  // of a strain that is not quite 0
+  EXPECT_NEAR(along_x[0], found(0, 0), tolerance);
+  EXPECT_NEAR(along_x[1], found(1, 0), tolerance);
+  EXPECT_NEAR(along_y[0], found(0, 1), tolerance);
+  EXPECT_NEAR(along_y[1], found(1, 1), tolerance);
+  EXPECT_NEAR(shear, found(5, 5), tolerance);
+}
+
 /// A stack that all turns and mirrors of the cube leave as it is.
 auto cubic_stack(unsigned seed, double fraction, int n) {
   std::mt19937 generator(seed);
