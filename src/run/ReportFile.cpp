@@ -21,7 +21,7 @@ using nlohmann::json;
 
 std::string log_excerpt(const output::RunFiles& files) {
   constexpr std::size_t most_bytes = 200'000;
-  const std::string text = base::file_content(files.log());
+  std::string text = base::file_content(files.log());
   if (text.size() <= most_bytes) return text;
   const std::size_t head = text.rfind('\n', most_bytes / 2),
                     tail = text.find('\n', text.size() - most_bytes / 2);

@@ -121,12 +121,11 @@ TEST(Report, OfARigKnowsWhatItAsksFor) {
   struct Case {
     const char *rig, *says;
   };
-  for (const Case& one :
-       {Case{"confined_compression",
-             "'for K + 4/3 mu, of a body that cannot widen.' 'between Reuss'"},
-        Case{"unconfined_compression", "\"for Young's E.\" 'between Reuss'"},
-        Case{"biaxial", "'!Bounds: force'"},
-        Case{"simple_shear", "'Force against shear strain'"}}) {
+  for (const Case& one : {Case{"confined_compression",
+                               "'for K + 4/3 mu, of a body that cannot widen.' 'between Reuss'"},
+                          Case{"unconfined_compression", "\"for Young's E.\" 'between Reuss'"},
+                          Case{"biaxial", "'!Bounds: force'"},
+                          Case{"simple_shear", "'Force against shear strain'"}}) {
     const TemporaryFolder folder;
     const Outcome outcome = run_stroma(
         folder.path(),

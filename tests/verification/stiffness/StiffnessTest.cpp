@@ -2,7 +2,7 @@
 
 /// \file
 /// The stiffness of specimens against closed forms and bounds. Claims V-STIFF-1, V-STIFF-2,
-/// V-STIFF-3, V-STIFF-4 and V-STIFF-5, docs/verification.md.
+/// V-STIFF-3, V-STIFF-4, V-STIFF-5 and V-STIFF-6, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -216,7 +216,7 @@ TEST_F(Stiffness, IsTheSameOnAnyNumberOfRanks) {
   }
 }
 
-// Of one layer of elements, mixed conditions along z are plane strain: mean stresses of the layer
+// V-STIFF-6. Of one layer of elements, mixed conditions along z are plane strain: mean stresses of the layer
 // under unit strains in its plane by a run in plane strain, whose faces do what those conditions say.
 TEST_F(Stiffness, OfOneLayerWithMixedConditionsIsThatOfPlaneStrain) {
   write({8, 8, 1}, random_stack(6, 0.4));
