@@ -15,7 +15,7 @@ function forceAlong(support, history) {
 
 /** An axis of curves: {what, unit, name (both), values, at(row): "5 s", "strain 10 %"}. */
 function axisOf(what, unit, values) {
-  return { what, unit, values, name: unit ? `${what} (${unit})` : what, at: (row) => [what === "time" ? "" : what, short(values[row]), unit].filter((word) => word !== "").join(" ") };
+  return { what, unit, values, name: unit ? `${what} (${unit})` : what, at: (row) => [what === "time" ? "" : what, short(values[row]) + (unit === "°" ? unit : ""), unit === "°" ? "" : unit].filter((word) => word !== "").join(" ") };
 }
 
 function timeAxis(history) {
