@@ -120,7 +120,8 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
   estimate.results =
       resets ? (160.0 + 72.0) * counts.particles : 160.0 * counts.particles / counts.layers;
-  if (parameters.loading.inertia)  // velocities, by components, and all together where nodes have them
+  // Velocities by components, and all together where nodes have them.
+  if (parameters.loading.inertia)
     estimate.results += (carry_motion ? 24.0 : 48.0) * counts.particles;
 
   const grid::Grid grid = grid::grid_for(parameters.grid.shape_functions, {});

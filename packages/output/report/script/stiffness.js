@@ -154,7 +154,7 @@ function boundaryOrder() {
   const description = `Bounds and boundaries: ${all.map(({ name, moduli }) => `${name} K ${short(moduli.K / unit.size)}, G ${short(moduli.G / unit.size)} ${unit.name}`).join("; ")}`;
   return section("bounds", "Between the bounds", lineChart("order-chart", description, "", `modulus (${unit.name})`, series, { yFromZero: true, xNames: all.map(({ name }) => name) }),
     lazyDetails("As numbers", () => htmlTable("Moduli between bounds", ["", `K (${unit.name})`, `G (${unit.name})`, `E (${unit.name})`], all.map(({ name, moduli }) => [name, ...["K", "G", "E"].map((letter) => short(moduli[letter] / unit.size, 5))]))),
-    h("p", { class: "note" }, "Of the boundaries, the closest isotropic tensor. Hashin and Shtrikman's bounds (H.-S.) are those of a large mixture that is isotropic: of a small piece, uniform tractions may lie below and uniform displacements above."));
+    h("p", { class: "note" }, `Of boundaries and Voigt's tensor, the closest isotropic one. ${bounds ? "Hashin and Shtrikman's bounds (H.-S.) are those of a large mixture that is isotropic: of a small piece, uniform tractions may lie below and uniform displacements above." : "The other bounds are those of isotropic materials, and here are fibres."}`));
 }
 
 function casesSection(log) {
