@@ -87,11 +87,11 @@ std::size_t varied(const std::vector<CurveThing>& things) {
                     [](const CurveThing& thing) { return thing.alternatives.size() > 1; }));
 }
 
-/// gnuplot takes letters for a third wider than they are on the average; columns would be too wide.
+/// gnuplot takes letters for up to half as wide again as they are on the average; columns would be too wide.
 std::string key_of(std::size_t rows, std::size_t longest) {
   return format(
       "set key below vertical left Left reverse maxrows %zu samplen 3 width %d title ' '\n", rows,
-      3 - static_cast<int>(longest / 4));
+      3 - static_cast<int>(longest / 3));
 }
 
 /// A line of the legend for each curve. Many values of one thing are in order: so are their

@@ -23,11 +23,16 @@ class SmoothSlice : public ::testing::Test {
   static void TearDownTestSuite() { delete folder_; }
 
   /// Five steps to full load with elements of 8 pixels, 64 particles each.
-  static History run(const std::string& shape_functions, bool reset, bool collagen_only) {
+  static History run(const std::string& shape_functions, bool reset, bool collagen_only,
+                     bool grips = false) {
     std::string arguments = "run " + quoted(deck) + " -o out --quiet" +
                             " --set 'Output|Pictures=false' --set 'Loading|Steps=5'";
     arguments += " --set 'Grid|Shape Functions=" + shape_functions + "'";
     arguments += std::string(" --set 'Grid|Reset=") + (reset ? "true'" : "false'");
+    if (grips)
+      arguments +=
+          " --set 'Boundary Conditions|bottom|Imposed By=Grip'"
+          " --set 'Boundary Conditions|top|Imposed By=Grip'";
     if (collagen_only)
       arguments +=
           " --set 'Materials|vessel|Shear Modulus [Pa]=520.8'"
@@ -52,7 +57,7 @@ double departure(const History& with, const History& without) {
   return std::sqrt(sum / static_cast<double>(f.size() - 1)) / std::abs(g.back());
 }
 
-// V-STUDY-4. Between rollers on which the grid is laid, the force with reset is within 0.3 % of that
+// V-STUDY-4. Between rollers on which the grid is laid, the force with reset is within 0.2 % of that
 // without in every step.
 TEST_F(SmoothSlice, ResettingHardlyChangesTheForce) {
   for (const std::string shape : {"GIMP", "Quadratic B-Spline"}) {
@@ -63,25 +68,26 @@ TEST_F(SmoothSlice, ResettingHardlyChangesTheForce) {
       largest = std::max(largest, std::abs(f[s] - g[s]) / std::abs(g.back()));
     std::printf("  %-18s departure: rms %.4f, largest %.4f\n", shape.c_str(),
                 departure(with, without), largest);
-    EXPECT_LT(departure(with, without), 0.0015);
-    EXPECT_LT(largest, 0.003);
+    EXPECT_LT(departure(with, without), 0.001);
+    EXPECT_LT(largest, 0.002);
   }
 }
 
-// V-STUDY-5. Collagen alone is strained alike everywhere. With hats and reset, stripes of stress
-// stand where particles have crossed; smooth functions have none.
+// V-STUDY-5. Collagen alone is strained alike everywhere. On a lattice that stays where it is, as
+// grips have it, stripes of stress stand with hats where particles have crossed; on one that ends
+// where the body does there are none, whatever the functions.
 TEST_F(SmoothSlice, HasNoStripes) {
-  const auto unevenness = [](const History& history) {
-    return history["collagen.von_mises_max"].back() / history["collagen.von_mises_mean"].back() -
-           1.0;
+  const auto unevenness = [](const std::string& shape, bool grips) {
+    const History history = run(shape, true, true, grips);
+    const double uneven =
+        history["collagen.von_mises_max"].back() / history["collagen.von_mises_mean"].back() - 1.0;
+    std::printf("  %-18s %-6s largest von Mises stress %.1e above the mean\n", shape.c_str(),
+                grips ? "grips" : "nodes", uneven);
+    return uneven;
   };
-  const double hats = unevenness(run("Linear", true, true));
-  std::printf("  largest von Mises stress above the mean: Linear %.3f\n", hats);
-  for (const std::string shape : {"GIMP", "Quadratic B-Spline"}) {
-    const double smooth = unevenness(run(shape, true, true));
-    std::printf("  %-18s %.4f\n", shape.c_str(), smooth);
-    EXPECT_LT(smooth, 0.1 * hats);
-  }
+  EXPECT_GT(unevenness("Linear", true), 0.05);
+  for (const std::string shape : {"Linear", "GIMP", "Quadratic B-Spline"})
+    EXPECT_LT(unevenness(shape, false), 1e-5);
 }
 
 }  // namespace
