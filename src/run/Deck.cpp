@@ -144,10 +144,12 @@ void refuse_what_stiffness_has_not(const DeckParameters& p, deck::Findings& find
          "found true; admissible" + with +
              ": false; of one layer of elements along z, Boundary = Mixed gives the components xx, "
              "yy, xy of plane strain");
-  refuse(
-      p.grid.shape_functions != shape::ShapeFunctions::linear, "Grid|Shape Functions",
-      "admissible" + with +
-          ": Linear, whose nodes lie on the faces, where displacements or tractions are uniform");
+  using shape::ShapeFunctions;
+  refuse(p.grid.shape_functions == ShapeFunctions::quadratic_b_spline ||
+             p.grid.shape_functions == ShapeFunctions::cubic_b_spline,
+         "Grid|Shape Functions",
+         "B-splines do not bear uniform tractions exactly; admissible" + with +
+             ": Linear, GIMP, CPDI");
   refuse(p.grid.deformation_gradient != mechanics::DeformationGradient::incremental,
          "Grid|Deformation Gradient", "admissible" + with + ": Incremental");
   for (const auto& [name, material] : p.materials.materials) {

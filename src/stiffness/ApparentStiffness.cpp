@@ -18,6 +18,7 @@ namespace stroma {
 namespace {
 
 using mechanics::UniformBoundary;
+using mechanics::UnitFields;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 /// Residual of the linear problems, by their right-hand sides.
@@ -29,20 +30,18 @@ double volume_of_box(const mechanics::Body& body) {
 }
 
 /// Mean stress of the box under a displacement [Pa].
-Vector6 mean_stress(const mechanics::Body& body, const grid::Vector& u) {
+Vector6 mean_stress(const mechanics::Body& body, const UnitFields& fields, const grid::Vector& u) {
   grid::Vector force(u.getMap());
   mechanics::elastic_force(body, u, force);
   Vector6 stress;
-  for (int k = 0; k < 6; ++k)
-    stress(k) = mechanics::unit_displacement(body, k).dot(force) / volume_of_box(body);
+  for (int k = 0; k < 6; ++k) stress(k) = fields.displacement(k).dot(force) / volume_of_box(body);
   return stress;
 }
 
 /// Its mean strain, by what the surface does.
-Vector6 mean_strain(const mechanics::Body& body, const grid::Vector& u) {
+Vector6 mean_strain(const mechanics::Body& body, const UnitFields& fields, const grid::Vector& u) {
   Vector6 strain;
-  for (int k = 0; k < 6; ++k)
-    strain(k) = mechanics::unit_traction(body, k).dot(u) / volume_of_box(body);
+  for (int k = 0; k < 6; ++k) strain(k) = fields.traction(k).dot(u) / volume_of_box(body);
   return strain;
 }
 
@@ -52,18 +51,19 @@ void solve_cases(const Deck& deck, mechanics::MomentumBalance& balance, UniformB
   solver::choose_tangent(parameters, balance);
   solver::LinearSolver linear(parameters, balance);
   const grid::Vector at_rest(balance.owned_map());
+  const mechanics::Body& body = balance.body();
+  const UnitFields fields(body);
   solver::linearize(linear, balance, at_rest);
   grid::Vector u(balance.owned_map());
   for (const int unit : cases.units) {
-    const grid::Vector load = mechanics::unit_load(balance.body(), boundary, unit);
+    const grid::Vector load = fields.load(boundary, unit);
     const std::int64_t before = linear.total_iterations();
     const double residual = solver::solve_refined(linear, balance, at_rest, load, u, tolerance);
     result.cases[static_cast<std::size_t>(unit)] = {linear.total_iterations() - before, residual};
-    if (boundary != UniformBoundary::traction)
-      u.update(1.0, mechanics::unit_displacement(balance.body(), unit), 1.0);
-    result.stress.col(unit) = mean_stress(balance.body(), u);
+    if (boundary != UniformBoundary::traction) u.update(1.0, fields.displacement(unit), 1.0);
+    result.stress.col(unit) = mean_stress(body, fields, u);
     result.strain.col(unit) =
-        knows_strain ? mean_strain(balance.body(), u) : Vector6(Vector6::Unit(unit));
+        knows_strain ? mean_strain(body, fields, u) : Vector6(Vector6::Unit(unit));
   }
 }
 
@@ -114,9 +114,10 @@ std::int64_t ApparentStiffness::iterations() const {
 }
 
 Matrix6 voigt_stiffness(const mechanics::Body& body) {
+  const UnitFields fields(body);
   Matrix6 mean;
   for (int unit = 0; unit < 6; ++unit)
-    mean.col(unit) = mean_stress(body, mechanics::unit_displacement(body, unit));
+    mean.col(unit) = mean_stress(body, fields, fields.displacement(unit));
   return mean;
 }
 

@@ -26,6 +26,11 @@ class Lattice {
   void values_at_nodes(const grid::MultiVector& coefficients, grid::MultiVector& values) const {
     values_->apply(coefficients, values);
   }
+  /// The forces on the functions that forces at the nodes are, N^T f: their power in any field is that
+  /// of the forces in its values at the nodes.
+  void to_functions(const grid::MultiVector& at_nodes, grid::MultiVector& forces) const {
+    values_->apply(at_nodes, forces, Teuchos::TRANS);
+  }
   /// Coefficients c = P v: the field of hats at the places of the functions. Linear fields pass
   /// exactly.
   void to_coefficients(const grid::MultiVector& values, grid::MultiVector& coefficients) const {

@@ -2,7 +2,7 @@
 
 /// \file
 /// The stiffness of specimens against closed forms and bounds. Claims V-STIFF-1, V-STIFF-2,
-/// V-STIFF-3, V-STIFF-4, V-STIFF-5 and V-STIFF-6, docs/verification.md.
+/// V-STIFF-3, V-STIFF-4, V-STIFF-5, V-STIFF-6 and V-STIFF-7, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -259,6 +259,26 @@ TEST_F(Stiffness, OfOneLayerWithMixedConditionsIsThatOfPlaneStrain) {
   EXPECT_NEAR(along_y[0], found(0, 1), tolerance);
   EXPECT_NEAR(along_y[1], found(1, 1), tolerance);
   EXPECT_NEAR(shear, found(5, 5), tolerance);
+}
+
+// V-STIFF-7. GIMP and CPDI, whose particles' domains lie within elements, are hats at rest; layers
+// across elements' faces are exact with them, too.
+TEST_F(Stiffness, OfWiderFunctionsIsThatOfHats) {
+  const auto with = [](std::string text, const std::string& functions) {
+    return text.replace(text.find("Grid: {"), 7, "Grid: {Shape Functions: " + functions + ", ");
+  };
+  write({8, 8, 8}, [](int, int, int k) { return k / 2 % 2; });
+  const std::string text = deck(two_materials, "4, 4, 4");
+  EXPECT_LT(distance(stiffness(run(with(text, "GIMP")), "Mixed"), layers()), 1e-10);
+  write({8, 8, 8}, random_stack(7, 0.4));
+  const nlohmann::json found = run(text);
+  for (const char* functions : {"GIMP", "CPDI"}) {
+    const nlohmann::json wider = run(with(text, functions), 2);
+    for (const char* boundary : boundaries)
+      EXPECT_LT(distance(stiffness(wider, boundary), stiffness(found, boundary)), 1e-10)
+          << functions << boundary;
+    EXPECT_LT(distance(matrix(wider["Voigt"]), matrix(found["Voigt"])), 1e-12);
+  }
 }
 
 /// A stack that all turns and mirrors of the cube leave as it is.
