@@ -84,6 +84,7 @@ Inertia::Inertia(const Body& body, double load)
 
 /// Masses of the nodes.
 void Inertia::weigh() {
+  const base::Stage stage("inertia");
   const auto points = body_.points(from_);
   const std::size_t nodes = points.displacement.extent(0);
   mass_here_ = NodeView("mass", nodes);

@@ -2,7 +2,7 @@
 
 /// \file
 /// Runs of bodies with inertia, by the program: on any number of ranks, in parts, and their
-/// balance of energy. Claims V-DYN-RUNS, V-DYN-IMAGES, V-DYN-WORK and V-DYN-STEPS,
+/// balance of energy. Claims V-DYN-RUNS, V-DYN-IMAGES, V-DYN-WORK, V-DYN-STEPS and V-DYN-COST,
 /// docs/verification.md.
 
 #include <gtest/gtest.h>
@@ -206,6 +206,23 @@ TEST(DynamicRunsOfABody, ChooseStepsByTheirErrorInTime) {
   std::printf("  %zu steps instead of %zu: %.2e instead of %.2e\n", chosen.rows() - 1,
               coarse.rows() - 1, departure(chosen), departure(coarse));
   EXPECT_NE(content_of(folder / "chosen/log.txt").find("its error in time is"), std::string::npos);
+}
+
+// V-DYN-COST. Masses and their forces, by the share of their stage in the time of the steps, which other work on
+// the machine lengthens alike.
+TEST(DynamicRunsOfABody, CostLittleMoreThanThoseAtRest) {
+  const TemporaryFolder folder;
+  std::string deck = jerked("", "", 2);
+  const std::string size = "Size: [12, 12, 12]";
+  deck.replace(deck.find(size), size.size(), "Size: [40, 40, 40]");
+  const History history = run_deck(folder, "run", deck);
+  const std::string log = content_of(folder / "run/log.txt"), word = "  inertia ";
+  const std::size_t at = log.rfind(word);
+  ASSERT_NE(at, std::string::npos) << log;
+  const double inertia = std::stod(log.substr(at + word.size())),
+               whole = history["wall_seconds"].back() - history["wall_seconds"].front();
+  std::printf("  %.2f s of %.2f s\n", inertia, whole);
+  EXPECT_LT(inertia, 0.1 * whole);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ function meanStress(history) {
 /** The modulus by which a body resists a strain along one axis, of the bounds' moduli of one kind: with its sides free or between walls. */
 function modulusAlong(axis, bounds) {
   const isFlat = /rollers/.test(bounds.at(-1)[0]), walls = [0, 1, 2].filter((d) => d !== axis && data.walls[d] && !(isFlat && d === 2)).length;
-  if (walls === 0) return { name: bounds.at(-1)[0], of: (G, K, E) => E };
+  if (walls === 0) return { name: isFlat ? "E', between rollers" : bounds.at(-1)[0], of: (G, K, E) => E };
   if (isFlat) return { name: "k + mu, of a body that cannot widen", of: (G, k) => k + G };
   if (walls === 1) return { name: "4 G (3 K + G) / (3 K + 4 G), of a body that can widen along one axis", of: (G, K) => (4 * G * (3 * K + G)) / (3 * K + 4 * G) };
   return { name: "K + 4/3 mu, of a body that cannot widen", of: (G, K) => K + (4 / 3) * G };
