@@ -24,6 +24,14 @@ std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one)
   return line;
 }
 
+/// Shares of materials that are solids.
+std::vector<double> without_pressures(const material::NamedMaterials& materials,
+                                      std::vector<double> shares) {
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    if (material::is_pressure(materials[m].second)) shares[m] = 0.0;
+  return shares;
+}
+
 }  // namespace
 
 Mixture mixture_of(const material::NamedMaterials& materials, const std::vector<double>& shares,
@@ -64,14 +72,15 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
                                       const std::vector<material::SmallStrainModuli>& extremes,
                                       bool plane_strain, bool has_empty_space) {
   if (!are_isotropic(materials)) return {};
-  const Mixture mixture = mixture_of(materials, shares, extremes);
+  const std::vector<double> of_solid = without_pressures(materials, shares);
+  const Mixture mixture = mixture_of(materials, of_solid, extremes);
   if (mixture.which.empty() || (mixture.which.size() < 2 && extremes.empty())) return {};
   double total = 0.0;
-  for (const double share : shares) total += share;
+  for (const double share : of_solid) total += share;
   std::string description;
   std::size_t one = mixture.which.front();  // the material that the gains refer to
   for (const std::size_t m : mixture.which) {
-    description += format("%s%.4f %s", description.empty() ? "" : " + ", shares[m] / total,
+    description += format("%s%.4f %s", description.empty() ? "" : " + ", of_solid[m] / total,
                           materials[m].first.c_str());
     if (materials[m].second.label == 0) one = m;
   }
@@ -83,7 +92,9 @@ std::vector<std::string> bounds_table(const material::NamedMaterials& materials,
       format("bounds      of small strain, %s, and gain over %s",
              plane_strain ? "in plane strain" : "in space", materials[one].first.c_str()),
       "            " + description +
-          (has_empty_space ? " of the solid; empty space not counted" : "")};
+          (of_solid != shares ? " of the solid; pressures and empty space not counted"
+           : has_empty_space  ? " of the solid; empty space not counted"
+                              : "")};
   std::string head = format("            %-18s", "");
   for (const char* name : {"Reuss", "Hashin-Shtrikman -", "Hashin-Shtrikman +", "Voigt"})
     head += format("  %18s", name);

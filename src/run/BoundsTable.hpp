@@ -41,7 +41,8 @@ bool are_isotropic(const material::NamedMaterials& materials);
 ///                  the lower bounds are then those of the softest, the upper ones of the stiffest,
 ///                  and the gain is over the material with its own moduli
 /// \param plane_strain  of cylinders along z, else in three dimensions
-/// \param has_empty_space  a line says that the bounds are those of the solid without it
+/// \param has_empty_space  a line says that the bounds are those of the solid without it, as it does of
+///                         materials that press, which are no solid
 /// \return  lines for the log; none where fewer than two materials have a share and none varies,
 ///          nor where one has fibres, of which bounds of isotropic materials say nothing
 std::vector<std::string> bounds_table(const material::NamedMaterials& materials,

@@ -128,5 +128,34 @@ TEST(BoundsPrinted, OnlyWhereTwoMaterialsAreInTheImage) {
   }
 }
 
+// A pressure is no solid: the table is that of a lumen which is empty.
+TEST(BoundsPrinted, OfTheSolidAroundAPressure) {
+  const TemporaryFolder folder;
+  const auto table = [&](const std::string& lumen, const std::string& material) {
+    std::string text = deck(
+        "      Kind: Shapes\n      Size: [16, 16, 16]\n      Shapes:\n"
+        "        wall: {Kind: Cylinder, Label: 1, \"Center [um]\": [8, 8, 8], Axis: [0, 0, 1], "
+        "\"Radius [um]\": 6}\n"
+        "        lumen: {Kind: Cylinder, Label: " +
+            lumen + ", \"Center [um]\": [8, 8, 8], Axis: [0, 0, 1], \"Radius [um]\": 3}\n",
+        "    \"Element Size [um]\": [2.0, 2.0, 2.0]\n");
+    text.insert(text.find("  Grid:"), material);
+    folder.write("lumen.yaml", text);
+    const Outcome check = run_stroma(folder.path(), "check lumen.yaml");
+    EXPECT_EQ(check.status, 0) << check.standard_error;
+    return table_in(check.standard_output);
+  };
+  const std::string pressed =
+      table("2",
+            "    lumen: {Label: 2, Model: Pressure, \"Pressure [Pa]\": 100, "
+            "\"Shear Modulus [Pa]\": 0.1}\n");
+  const std::string empty = table("-1", "");
+  EXPECT_NE(pressed.find("of the solid; pressures and empty space not counted"), std::string::npos)
+      << pressed;
+  const std::string modulus = "shear mu";
+  ASSERT_NE(empty.find(modulus), std::string::npos) << empty;
+  EXPECT_EQ(pressed.substr(pressed.find(modulus)), empty.substr(empty.find(modulus)));
+}
+
 }  // namespace
 }  // namespace stroma::test
