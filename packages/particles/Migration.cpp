@@ -75,19 +75,25 @@ ParticleExtent extent_of(const base::Communicator& communicator,
   return extent;
 }
 
-grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
-                         const Particles<grid::Device>& particles, const FixedEnds& fixed) {
-  const ParticleExtent extent = extent_of(communicator, particles);
-  grid::Grid grid = body;
+void require_together(const ParticleExtent& extent, const grid::Grid& body) {
   double elements = 1.0;
-  for (int d = 0; d < 3; ++d) {
-    if (d == 2 && body.flat) continue;
+  for (int d = 0; d < (body.flat ? 2 : 3); ++d) {
     const double lowest = extent.lowest[d], highest = extent.highest[d];
     elements *= 1.0 + (highest - lowest) / body.spacing[d];
     if (!(elements < 64.0 * static_cast<double>(body.all_elements().count()) + 4096.0))
       throw base::RunError(base::format(
           "the particles are spread from %g to %g um along %c: some must have got lost", lowest,
           highest, "xyz"[d]));
+  }
+}
+
+grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
+                         const Particles<grid::Device>& particles, const FixedEnds& fixed) {
+  const ParticleExtent extent = extent_of(communicator, particles);
+  require_together(extent, body);
+  grid::Grid grid = body;
+  for (int d = 0; d < (body.flat ? 2 : 3); ++d) {
+    const double lowest = extent.lowest[d], highest = extent.highest[d];
     const auto& [is_lower_fixed, is_upper_fixed] = fixed[static_cast<std::size_t>(d)];
     const std::int64_t first = is_lower_fixed ? 0 : element_along(body, d, lowest);
     const std::int64_t last =

@@ -38,6 +38,10 @@ ParticleExtent extent_of(const base::Communicator& communicator,
                          const Particles<grid::Device>& particles,
                          const std::array<double, 3>& half_edge = {});
 
+/// \throws base::RunError when particles are spread so far, over 64 times the elements of `body`,
+///         that one must have got lost
+void require_together(const ParticleExtent& extent, const grid::Grid& body);
+
 /// For each axis, whether a grid's lower and upper end stay where they are.
 using FixedEnds = std::array<std::array<bool, 2>, 3>;
 
@@ -47,8 +51,7 @@ using FixedEnds = std::array<std::array<bool, 2>, 3>;
 /// upper one. Plane strain keeps its one layer; of elements that are centred at knots there are two
 /// at least. Collective.
 ///
-/// \throws base::RunError when the body is spread so far (over 64 times the elements of `body`)
-///         that a particle must have got lost
+/// \throws base::RunError as require_together()
 grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
                          const Particles<grid::Device>& particles, const FixedEnds& fixed = {});
 

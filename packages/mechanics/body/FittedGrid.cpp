@@ -35,8 +35,10 @@ End end_of(const Problem& problem, double load, Face face, double outermost) {
   const auto is_gripped = [&](const auto& named) {
     return named.second.applies_to(face) && problem.imposed_by(named.second) != ImposedBy::penalty;
   };
-  const bool is_fixed = !problem.dynamics && std::none_of(problem.conditions.begin(),
-                                                          problem.conditions.end(), is_gripped);
+  const bool is_known = problem.outer_thickness[static_cast<std::size_t>(axis_of(face))] > 0.0;
+  const bool is_fixed =
+      is_known && !problem.dynamics &&
+      std::none_of(problem.conditions.begin(), problem.conditions.end(), is_gripped);
   return {false, is_fixed, outermost};
 }
 
@@ -86,6 +88,7 @@ grid::Grid fitted_grid(const base::Communicator& communicator, const Problem& pr
   std::array<double, 3> half_edge = problem.outer_thickness;
   for (double& edge : half_edge) edge *= 0.5;
   const particles::ParticleExtent extent = particles::extent_of(communicator, particles, half_edge);
+  particles::require_together(extent, problem.body);
   grid::Grid lattice = problem.body;
   particles::FixedEnds is_fixed{};
   for (int d = 0; d < (lattice.flat ? 2 : 3); ++d) {

@@ -19,7 +19,8 @@ namespace stroma::mechanics {
 /// - at a face that nodes keep a plane (Problem::is_kept_plane): there;
 /// - at another face: where the boxes end that its outermost particles stand for.
 ///
-/// Faces with grips, and all free ones of a body with inertia, are left out of that. Along an axis
+/// Faces with grips, all free ones of a body with inertia, and those whose Problem::outer_thickness
+/// is not given are left out of that. Along an axis
 /// with such an end, nodes lie on the plane opposite, if there is one, and elements have the
 /// asked-for size; without a plane the lattice is that of the undeformed body, continued without
 /// end, of which the grid is the smallest part that holds the particles. Collective.

@@ -41,8 +41,8 @@ struct Problem {
   double duration = 1.0;  ///< time at full load [s]
   /// Of each material [kg/m^3]; empty: all alike, which inertia does not take.
   std::vector<double> density = {};
-  /// Of the particles next to the body's faces across each axis, at load 0 [um]; tractions and
-  /// penalties need it.
+  /// Of the particles next to the body's faces across each axis, at load 0 [um]; tractions,
+  /// penalties and the ends of a grid that is reset need it.
   std::array<double, 3> outer_thickness{};
   /// Half the edges of the particles' domains at load 0 [um], for each layer of particles along an
   /// axis (particles::LayoutSizes); hats do without.

@@ -223,5 +223,17 @@ TEST(FittedGrid, FacesThatMeetAreRefused) {
                base::RunError);
 }
 
+// A particle that got lost does not fill the memory with elements, on any rank.
+TEST(FittedGrid, LostParticlesAreRefused) {
+  Specimen specimen = with_bars();
+  specimen.reset = true;
+  const auto particles = specimen.particles(world());
+  const mechanics::Problem problem = specimen.problem();
+  EXPECT_NO_THROW(mechanics::fitted_grid(world(), problem, 0.0, problem.body, particles));
+  if (world().is_root()) particles.position(0, 2) = 1e12;
+  EXPECT_THROW(mechanics::fitted_grid(world(), problem, 0.0, problem.body, particles),
+               base::RunError);
+}
+
 }  // namespace
 }  // namespace stroma
