@@ -136,6 +136,11 @@ bool is_pressure(const MaterialParameters& material) {
   return model_of(material).name == Pressure::name();
 }
 
+bool is_neo_hookean_alone(const MaterialParameters& material) {
+  return model_of(material).name == NeoHookean::name() && !material.fibers && !material.viscosity &&
+         !material.active_stress && !material.growth && !material.fields;
+}
+
 MaterialLaws laws_of(const NamedMaterials& materials) {
   MaterialLaws all;
   for (const auto& named : materials)

@@ -93,6 +93,8 @@ Compressibility compressibility(const NamedMaterials& materials);
 
 /// Whether a material is a Pressure.
 bool is_pressure(const MaterialParameters& material);
+/// Whether it is Neo-Hookean, without fibres, viscosity, drives or numbers that vary.
+bool is_neo_hookean_alone(const MaterialParameters& material);
 
 /// The law of each material, by index, and the directions of fibres that they point to.
 struct MaterialLaws {

@@ -15,7 +15,7 @@ namespace stroma::transfer {
 ///
 ///     min over n, m of  m_i Q_ik m_k,   Q_ik = n_j a_ijkl n_l   (acoustic tensor, Kirchhoff),
 ///
-/// over the directions n given. Where it is negative the tangent is not elliptic: a band across n
+/// over the directions n given, of each so-manieth particle; of others nothing is set. Where it is negative the tangent is not elliptic: a band across n
 /// softens, and strains localise in it, on any grid in as few elements as they can. Not a number for
 /// a particle turned inside out. Launch as InternalForce.
 /// Source: J. Rice, in Theoretical and Applied Mechanics (1976) 207; Ogden (1984), section 6.2.7.
@@ -24,11 +24,13 @@ struct WaveModulus {
   ElementParticles<Shape, Device> elements;
   Kokkos::View<const Law*, Device> law;
   Kokkos::View<const material::FiberDirection*, Device> directions;
+  int every;                            ///< 1: all particles
   Kokkos::View<double*, Device> least;  ///< (particle) set
 
   KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
     LawAt<Law, Device> law_at(law, elements);
     elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      if (point.p % every != 0) return;
       const Law& material = law_at(point);
       const double log_j = log1p(tensor::det_minus_one(point.H));
       const material::Tensor4 a =

@@ -41,6 +41,8 @@ class RunLog {
   /// An accepted step, and, once each, what a converged one leaves to be said.
   void accepted(const solver::StepControl& load, const solver::NewtonResult& solved);
   void rejected(double load, const std::string& reason);
+  /// Says where the body, as it is at the end of the step of a row, has lost ellipticity. Collective.
+  void ellipticity(const mechanics::MovingBody& body, const output::HistoryRow& row);
   /// What Grid|Stabilization adds to the body, where it does. Collective.
   void stabilization(const mechanics::MovingBody& body);
 

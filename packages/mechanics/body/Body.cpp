@@ -269,7 +269,8 @@ WorstParticle Body::worst_particle(const grid::Vector& u) const {
   return worst_by(particle_fields(u).jacobian);
 }
 
-WorstParticle Body::least_elliptic_particle(const grid::Vector& u) const {
+Ellipticity Body::ellipticity(const grid::Vector& u, int most) const {
+  const int every = 1 + (particles_.count() - 1) / most;
   material::DistributionParameters everywhere;
   everywhere.distribution = material::Distribution::spherical;
   everywhere.quadrature = 8;
@@ -277,8 +278,17 @@ WorstParticle Body::least_elliptic_particle(const grid::Vector& u) const {
                                              static_cast<std::size_t>(particles_.count()));
   Kokkos::deep_copy(moduli, std::numeric_limits<double>::infinity());
   stress_->wave_moduli(points(u), grid::to_device("directions", material::directions(everywhere)),
-                       moduli);
-  return worst_by(moduli);
+                       every, moduli);
+  const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), moduli);
+  Ellipticity result;
+  for (int p = 0; p < particles_.count(); p += every) {
+    ++result.looked_at;
+    if (!(on_host(p) >= 0.0)) ++result.lost;
+  }
+  result.looked_at = communicator().sum(result.looked_at);
+  result.lost = communicator().sum(result.lost);
+  result.softest = worst_by(moduli);
+  return result;
 }
 
 WorstParticle Body::worst_by(const Kokkos::View<const double*, Device>& figure) const {

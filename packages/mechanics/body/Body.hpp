@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -24,6 +25,12 @@ struct WorstParticle {
   int material = 0;
   double figure = 0.0;
   std::array<double, 3> position{};  ///< at the base configuration [um]
+};
+
+/// Whether particles have lost ellipticity.
+struct Ellipticity {
+  WorstParticle softest;  ///< figure: the least modulus of a plane wave through it [Pa]
+  std::int64_t lost = 0, looked_at = 0;
 };
 
 /// Results at the particles of a rank, one layer of elements along z at a time, so that nobody keeps
@@ -145,9 +152,11 @@ class Body {
   FieldLayers field_layers(const grid::Vector& u) const;
   /// The one with the smallest J.
   WorstParticle worst_particle(const grid::Vector& u) const;
-  /// The one with the least modulus of a plane wave [Pa] (transfer::WaveModulus); where it is
-  /// negative, the material has lost ellipticity. Takes as long as some hundred forces.
-  WorstParticle least_elliptic_particle(const grid::Vector& u) const;
+  /// Of the particles that are looked at, those that have lost ellipticity: where the least modulus
+  /// of a plane wave (transfer::WaveModulus) is negative. Looking at a particle takes as long as a
+  /// hundred forces on it.
+  /// \param most  so many particles of each rank are looked at, spread evenly
+  Ellipticity ellipticity(const grid::Vector& u, int most = std::numeric_limits<int>::max()) const;
   /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
   /// much the body is strained where it is strained most. Rounding makes 1e-15 of a body at rest.
   double largest_strain(const grid::Vector& u) const;

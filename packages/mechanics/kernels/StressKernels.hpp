@@ -58,10 +58,10 @@ class StressKernels {
   /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
   virtual void layer_fields(const Points& points, int k, int first,
                             const transfer::ParticleFields<Device>& fields) const = 0;
-  /// transfer::WaveModulus of all particles.
+  /// transfer::WaveModulus of each so-manieth particle.
   virtual void wave_moduli(const Points& points,
                            const Kokkos::View<const material::FiberDirection*, Device>& directions,
-                           const Kokkos::View<double*, Device>& least) const = 0;
+                           int every, const Kokkos::View<double*, Device>& least) const = 0;
   /// transfer::UpdateHistory: writes the particles' history, if they have one. For displacements
   /// that were accepted.
   virtual void update_history(const Points& points) const = 0;

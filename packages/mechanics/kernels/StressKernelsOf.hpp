@@ -90,12 +90,12 @@ class StressKernelsOf : public StressKernels {
   }
   void wave_moduli(const Points& points,
                    const Kokkos::View<const material::FiberDirection*, Device>& directions,
-                   const Kokkos::View<double*, Device>& least) const override {
+                   int every, const Kokkos::View<double*, Device>& least) const override {
     if constexpr (std::is_same_v<Law, material::NeoHookean>)
-      general_->wave_moduli(points, directions, least);
+      general_->wave_moduli(points, directions, every, least);
     else
       launch("wave moduli", points,
-             transfer::WaveModulus<Shape, Law, Device>{{points}, law_, directions, least});
+             transfer::WaveModulus<Shape, Law, Device>{{points}, law_, directions, every, least});
   }
   void update_history(const Points& points) const override {
     if constexpr (material::states_of < Law >> 0)
