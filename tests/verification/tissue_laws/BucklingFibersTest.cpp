@@ -136,21 +136,25 @@ test::Specimen bar(const mechanics::LawList& laws) {
 }
 
 /// Fibres that point everywhere alike, with the quadrature's pole where the distribution has it.
-material::MaterialParameters tissue(const Collagen& gel, material::Distribution distribution) {
+material::MaterialParameters tissue(const Collagen& gel, material::Distribution distribution,
+                                    int quadrature = 16) {
   material::MaterialParameters material = test::material_of(
       "Coupled Neo-Hookean", {{"Shear Modulus [Pa]", matrix_mu}, {"Lame Modulus [Pa]", 0.0}});
   auto family = test::fibers_of(
       "Buckling-Stiffening",
       {{"K [Pa]", gel.k}, {"D0", gel.d0}, {"Lambda S", gel.lambda_s}, {"DS", gel.ds}}, {0, 1, 0});
   family.distribution = distribution;
+  family.quadrature = quadrature;
   material.fibers = material::FibersParameters{{{"collagen", family}}};
   return material;
 }
 
-std::vector<material::FiberDirection> directions_of(material::Distribution distribution) {
+std::vector<material::FiberDirection> directions_of(material::Distribution distribution,
+                                                    int quadrature = 16) {
   material::DistributionParameters where;
   where.distribution = distribution;
   where.direction = {0.0, 1.0, 0.0};
+  where.quadrature = quadrature;
   return material::directions(where);
 }
 
@@ -241,6 +245,32 @@ TEST(BucklingFibers, OfABarOnRollersContractMoreThanTheyStretch) {
           "on, at 0.2 %.2f of it\n",
           gel.k, worst, of_force, above, ratio);
     }
+}
+
+/// Largest difference of C between the bar on rollers and one point without shear, at a stretch of 1.05.
+double departure_on_rollers(const Collagen& gel, int quadrature) {
+  const auto kind = material::Distribution::spherical;
+  test::Specimen specimen = bar(test::law_list(tissue(gel, kind, quadrature), 2));
+  specimen.conditions = {{"bottom", test::hold(Face::y_lower, "y")},
+                         {"top", test::stretch(Face::y_upper, "y", 0.05)},
+                         {"left", test::hold(Face::x_lower, "x")},
+                         {"back", test::hold(Face::z_lower, "z")}};
+  OnePoint point{gel, directions_of(kind, quadrature), {{0, 0}, {2, 2}}};
+  mechanics::MovingBody body = specimen.moving_body(world());
+  double worst = 0.0;
+  test::take_steps(body, 4, test::to_rounding(), [&](double load, const grid::Vector& u) {
+    point.F[1][1] = 1.0 + 0.05 * load;
+    point.relax(0.0);
+    worst = std::max(worst, difference(body, u, point));
+  });
+  return worst;
+}
+
+// What is left of the spherical family on rollers is the shear of its quadrature.
+TEST(BucklingFibers, OnRollersDepartByTheirQuadrature) {
+  const double coarse = departure_on_rollers(gels[0], 8), fine = departure_on_rollers(gels[0], 32);
+  std::printf("  C within %.1e with 8 rings, %.1e with 32\n", coarse, fine);
+  EXPECT_LT(fine, coarse / 4.0);
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 
 /// \file
 /// FEBio's viscous ligament, test ma07 of its suite (tests/data/reference/laws.md): cycles of 3 % for
-/// 100 s, by the program against one point of its own definition, typed in here. FEBio's figures are
-/// not met: its fibres see the stretch without the change of volume, Stroma's all of it, and the bulk
-/// modulus is not on the page. Claim V-FEBIO-4, docs/verification.md.
+/// 100 s, by the program against one point of its own definition, typed in here, and FEBio's figures
+/// by the same point in FEBio's way. Claim V-FEBIO-4, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +16,7 @@
 namespace stroma::test {
 namespace {
 
-constexpr double bulk = 5000.0;  // [Pa], not on the laws' page
+constexpr double bulk = 5000.0;  // [Pa], not on the laws' page; with it FEBio's figures are met
 constexpr double moduli = 0.288, step = 0.5;
 constexpr int steps = 200;
 constexpr std::array<double, 5> times{0.01, 0.1, 1.0, 10.0, 100.0};
@@ -41,29 +40,43 @@ double root(double near, const std::function<double(double)>& f) {
   return b;
 }
 
-/// In Stroma's way: all of the stress relaxes, and fibres see all of the stretch.
-class StromasPoint {
+/// Stroma's: all of the stress relaxes, and fibres see all of the stretch. FEBio's: what is deviatoric
+/// of matrix and fibres relaxes, the pressure does not, and fibres see the stretch without the change
+/// of volume.
+enum class Way { stroma, febio };
+
+struct Pull {
+  double force;   ///< per area of the undeformed body [Pa]
+  double cauchy;  ///< [Pa]
+};
+
+class Point {
  public:
-  /// Force per area of the undeformed body.
-  double after_step_to(double l) {
+  explicit Point(Way way) : way_(way) {}
+
+  Pull after_step_to(double l) {
     const double across = root(1.0 / std::sqrt(l), [&](double m) { return relaxed(l, m, 0); });
-    const double force = relaxed(l, across, 1) * l;
+    const double along = relaxed(l, across, 1);
     const auto now = elastic(l, across);
     for (std::size_t i = 0; i < times.size(); ++i)
       for (std::size_t d = 0; d < 2; ++d) memory_[i][d] = next_memory(i, d, now[d]);
     before_ = now;
-    return force;
+    return {along * l, along * l / (across * across)};
   }
 
  private:
-  /// Second Piola-Kirchhoff stress across and along the fibres.
-  static std::array<double, 2> elastic(double l, double m) {
+  /// Second Piola-Kirchhoff stress across and along the fibres that relaxes.
+  std::array<double, 2> elastic(double l, double m) const {
     const double J = l * m * m, shrink = std::pow(J, -2.0 / 3.0);
     const double bx = shrink * m * m, bz = shrink * l * l, i1 = 2.0 * bx + bz;
     const double x = 2.0 * 47.93 * bx - 2.0 * 40.46 * (i1 * bx - bx * bx);
     const double z = 2.0 * 47.93 * bz - 2.0 * 40.46 * (i1 * bz - bz * bz);
-    const double pressure = bulk * std::log(J), third = (z - x) / 3.0;
-    const double fiber = 2.36 * (std::exp(76.9 * (l - 1.0)) - 1.0);
+    const double third = (z - x) / 3.0;
+    const double seen = way_ == Way::stroma ? l : std::cbrt(1.0 / J) * l;
+    const double fiber = 2.36 * (std::exp(76.9 * (seen - 1.0)) - 1.0);
+    if (way_ == Way::febio)
+      return {-(third + fiber / 3.0) / (m * m), 2.0 * (third + fiber / 3.0) / (l * l)};
+    const double pressure = bulk * std::log(J);
     return {(pressure - third) / (m * m), (pressure + 2.0 * third + fiber) / (l * l)};
   }
   double next_memory(std::size_t i, std::size_t d, double now) const {
@@ -74,8 +87,11 @@ class StromasPoint {
     const double now = elastic(l, m)[d];
     double sum = now;
     for (std::size_t i = 0; i < times.size(); ++i) sum += moduli * next_memory(i, d, now);
+    if (way_ == Way::febio) sum += bulk * std::log(l * m * m) / (d == 0 ? m * m : l * l);
     return sum;
   }
+
+  Way way_;
 
   std::array<std::array<double, 2>, 5> memory_{};
   std::array<double, 2> before_{};
@@ -121,10 +137,10 @@ TEST(FebioLigament, IsThePointsOwnInTheProgram) {
   ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
   const History history(folder.path() / "out" / "history.csv");
   ASSERT_EQ(history.rows(), 201u);
-  StromasPoint point;
+  Point point(Way::stroma);
   double worst = 0.0, largest = 0.0;
   for (int n = 1; n <= steps; ++n) {
-    const double expected = point.after_step_to(stretch_at(step * n));
+    const double expected = point.after_step_to(stretch_at(step * n)).force;
     const double found = history["front.reaction_z"][static_cast<std::size_t>(n)];
     largest = std::max(largest, expected);
     EXPECT_NEAR(found, expected, 1e-8 * largest) << step * n << " s";
@@ -133,6 +149,25 @@ TEST(FebioLigament, IsThePointsOwnInTheProgram) {
       std::printf("  %g s: %.4f Pa\n", step * n, found);
   }
   std::printf("  force within %.1e of the largest\n", worst / largest);
+}
+
+// Why the program's figures are not FEBio's: it is the definition. Half a digit of theirs, and what
+// FEBio's own tolerance left after 95 s.
+TEST(FebioLigament, HasFebiosFiguresInFebiosWay) {
+  struct Figure {
+    int step;
+    double cauchy, tolerance;  // [Pa]
+  };
+  Point point(Way::febio);
+  int done = 0;
+  for (const Figure& figure : {Figure{10, 34.9552, 6e-5},
+                               {30, 32.1499, 6e-5},
+                               {190, 29.5758, 4e-4},
+                               {200, 2.7356, 6e-5}}) {
+    double found = 0.0;
+    while (done < figure.step) found = point.after_step_to(stretch_at(step * ++done)).cauchy;
+    EXPECT_NEAR(found, figure.cauchy, figure.tolerance) << step * figure.step << " s";
+  }
 }
 
 }  // namespace
