@@ -67,6 +67,8 @@ trap 'exit 130' INT TERM
 mount_at -t proc proc "$root/proc"
 mount_at --bind /sys "$root/sys"
 mount_at -t tmpfs tmpfs "$root/dev/shm"
+mount_at -t devpts -o newinstance,ptmxmode=0666 devpts "$root/dev/pts"  # terminals, for the line of progress
+[[ -e $root/dev/ptmx ]] || ln -s pts/ptmx "$root/dev/ptmx"
 if [[ -n $ccache ]]; then
   mkdir -p "$ccache"
   mount_at --bind "$ccache" "$root/var/cache/ccache"

@@ -353,20 +353,20 @@ TEST(TissueLawsDeck, TellWhereEllipticityIsLost) {
   EXPECT_GT(History(results.path() / "out" / "history.csv").rows(), 1u);
 }
 
-// V-ELL-2. The same law in a bar between rollers, which is strained alike everywhere: steps that converge with
-// all of it beyond the loss are told of, those before are not.
+// V-ELL-2. The same law in a bar between rollers, which is strained alike everywhere: steps that
+// converge with all of it beyond the loss are told of, those before are not.
 TEST(TissueLawsDeck, TellOfAcceptedStatesThatLostEllipticity) {
   const TemporaryFolder results;
-  for (const auto& [strain, words] :
+  for (const auto& [stretch, words] :
        {std::pair<std::string, std::string>{"0.4", ""},
         {"0.5", "note: 64 of 64 particles looked at have lost ellipticity"}}) {
     const Outcome run =
         run_input(results, "09_tissue_laws/deck.yaml",
                   {"Image|Phantom|Shapes|bar|Label=4", "Materials|Yeoh|C [Pa]={250, -150, 0}",
-                   "Boundary Conditions|top|Strain=" + strain, "Loading|Steps=10"});
+                   "Boundary Conditions|top|Strain=" + stretch, "Loading|Steps=10"});
     EXPECT_EQ(run.status, 0) << run.standard_error;
     const std::string log = content_of(results.path() / "out" / "log.txt");
-    EXPECT_EQ(log.find("lost ellipticity") == std::string::npos, words.empty()) << strain;
+    EXPECT_EQ(log.find("lost ellipticity") == std::string::npos, words.empty()) << stretch;
     EXPECT_NE(log.find(words), std::string::npos) << log;
   }
 }

@@ -151,8 +151,8 @@ TEST(FebioLigament, IsThePointsOwnInTheProgram) {
   std::printf("  force within %.1e of the largest\n", worst / largest);
 }
 
-// Why the program's figures are not FEBio's: it is the definition. Half a digit of theirs, and what
-// FEBio's own tolerance left after 95 s.
+// Why the program's figures are not FEBio's: it is the definition. Half a digit of theirs, and
+// 3e-4 at 95 s of which the source is not known.
 TEST(FebioLigament, HasFebiosFiguresInFebiosWay) {
   struct Figure {
     int step;
