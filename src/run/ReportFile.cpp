@@ -37,16 +37,28 @@ std::string said_in(const std::string& log, const std::string& word) {
   return "";
 }
 
-void write_report(const base::Communicator& communicator, const std::string& folder,
-                  const std::string& page, double start, base::Log& log) {
-  const std::string path = output::RunFiles(folder).file("report.html");
+void make_report(const base::Communicator& communicator, const std::string& folder,
+                 const std::string& what, const std::vector<std::string>& needed,
+                 const ReportData& collect, base::Log& log) {
+  const double start = MPI_Wtime();
+  const output::RunFiles files(folder);
+  const std::string path = files.file("report.html");
+  base::collectively(communicator, [&] {
+    for (const std::string& file : needed)
+      if (!std::filesystem::is_regular_file(files.file(file)))
+        throw base::InputError("'" + folder + "' is no folder of " + what + ": it has no " + file);
+  });
+  std::vector<output::PageArray> arrays;
+  const json data = collect(files, arrays);
+  std::string page;
   base::collectively(communicator, [&] {
     if (!communicator.is_root()) return;
+    page = output::report_page(data["title"].get<std::string>(), data, arrays);
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored) && !output::Manifest::begins_as_written(path))
       throw base::InputError("'" + path + "' is no report of Stroma; move it away, or rename it");
     output::replace_file(path, page);
-    if (std::filesystem::exists(output::RunFiles(folder).file(".stroma_files"), ignored))
+    if (std::filesystem::exists(files.file(".stroma_files"), ignored))
       output::Manifest(folder).finish({"report.html"});  // the next run may remove it
   });
   log.line(base::format("report      %s, %.1f MB, made in %.1f s", path.c_str(),
@@ -56,17 +68,14 @@ void write_report(const base::Communicator& communicator, const std::string& fol
 void report_of_tables(const base::Communicator& communicator, const std::string& folder,
                       const std::string& what, const std::string& table,
                       const std::function<json(const output::RunFiles&)>& data_of, base::Log& log) {
-  const double start = MPI_Wtime();
-  const output::RunFiles files(folder);
-  std::string page;
-  base::collectively(communicator, [&] {
-    if (!std::filesystem::is_regular_file(files.file(table)))
-      throw base::InputError("'" + folder + "' is no folder of " + what + ": it has no " + table);
-    if (!communicator.is_root()) return;
-    const json data = data_of(files);
-    page = output::report_page(data["title"].get<std::string>(), data, {});
-  });
-  write_report(communicator, folder, page, start, log);
+  const auto collect = [&](const output::RunFiles& files, std::vector<output::PageArray>&) {
+    json data;
+    base::collectively(communicator, [&] {
+      if (communicator.is_root()) data = data_of(files);
+    });
+    return data;
+  };
+  make_report(communicator, folder, what, {table}, collect, log);
 }
 
 void report_at_end(base::Log& log, const std::function<void()>& make) {

@@ -9,29 +9,33 @@
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "stroma/base/Communicator.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/output/files/RunFolder.hpp"
+#include "stroma/output/report/ReportPage.hpp"
 
 namespace stroma {
 
-/// Writes report.html whole or not at all, in place of an earlier one, and says where it is.
-/// Collective.
-/// \param page   on rank 0
-/// \param start  when it was begun [s], by MPI_Wtime()
-/// \throws base::InputError when a file of that name is there that is no report
-/// \throws base::RunError
-void write_report(const base::Communicator& communicator, const std::string& folder,
-                  const std::string& page, double start, base::Log& log);
+/// Collects what a page shows, its title among it: the data, on rank 0, and its arrays. Collective.
+using ReportData =
+    std::function<nlohmann::json(const output::RunFiles&, std::vector<output::PageArray>&)>;
 
-/// Makes report.html of a folder whose page shows what its tables hold, as those of a study and of a
-/// fit do. Says where it is. Collective.
-/// \param what     "a study", say
-/// \param table    the file by which such a folder is known
-/// \param data_of  what the page shows, its title among it; called on rank 0
+/// Makes report.html of a folder, whole or not at all, in place of an earlier one. Says where it is.
+/// Collective.
+/// \param what    "a study", say
+/// \param needed  the files by which such a folder is known
 /// \throws base::InputError when it is no such folder, or a file of the report's name is none
 /// \throws base::RunError when a file of it cannot be read, or the report not be written
+void make_report(const base::Communicator& communicator, const std::string& folder,
+                 const std::string& what, const std::vector<std::string>& needed,
+                 const ReportData& collect, base::Log& log);
+
+/// The same of a folder whose page shows what its tables hold, as those of a study and of a
+/// fit do. Collective.
+/// \param table    the file by which such a folder is known
+/// \param data_of  what the page shows, its title among it; called on rank 0
 void report_of_tables(const base::Communicator& communicator, const std::string& folder,
                       const std::string& what, const std::string& table,
                       const std::function<nlohmann::json(const output::RunFiles&)>& data_of,

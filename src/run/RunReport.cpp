@@ -2,8 +2,6 @@
 
 #include "run/RunReport.hpp"
 
-#include <mpi.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -160,27 +158,18 @@ json described_supports(const DeckParameters& parameters, const std::array<doubl
 }
 
 void run_report(const base::Communicator& communicator, const std::string& folder, base::Log& log) {
-  const double start = MPI_Wtime();
-  const output::RunFiles files(folder);
-  std::optional<Deck> deck;
-  json data;
-  std::vector<output::PageArray> arrays;
-  base::collectively(communicator, [&] {
-    for (const std::string& file : {files.deck(), files.history()})
-      if (!std::filesystem::is_regular_file(file))
-        throw base::InputError("'" + folder + "' is no folder of results: it has no " +
-                               std::filesystem::path(file).filename().string());
-    deck = read_deck(files.deck(), {});
-    if (communicator.is_root()) data = data_of(*deck, files, arrays);
-  });
-  const json image = image_slices(communicator, *deck, arrays);
-  std::string page;
-  base::collectively(communicator, [&] {
-    if (!communicator.is_root()) return;
-    data["image"] = image;
-    page = output::report_page(deck->parameters.title, data, arrays);
-  });
-  write_report(communicator, folder, page, start, log);
+  const auto collect = [&](const output::RunFiles& files, std::vector<output::PageArray>& arrays) {
+    std::optional<Deck> deck;
+    json data;
+    base::collectively(communicator, [&] {
+      deck = read_deck(files.deck(), {});
+      if (communicator.is_root()) data = data_of(*deck, files, arrays);
+    });
+    const json image = image_slices(communicator, *deck, arrays);
+    if (communicator.is_root()) data["image"] = image;
+    return data;
+  };
+  make_report(communicator, folder, "results", {"deck.xml", "history.csv"}, collect, log);
 }
 
 }  // namespace stroma

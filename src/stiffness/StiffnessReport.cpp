@@ -2,8 +2,6 @@
 
 #include "stiffness/StiffnessReport.hpp"
 
-#include <mpi.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -67,28 +65,22 @@ json data_of(const Deck& deck, const output::RunFiles& files) {
 
 void stiffness_report(const base::Communicator& communicator, const std::string& folder,
                       base::Log& log) {
-  const double start = MPI_Wtime();
-  const output::RunFiles files(folder);
-  std::optional<Deck> deck;
-  json data;
-  std::vector<output::PageArray> arrays;
-  base::collectively(communicator, [&] {
-    for (const char* file : {"deck.xml", "stiffness.json"})
-      if (!std::filesystem::is_regular_file(files.file(file)))
-        throw base::InputError("'" + folder + "' is no folder of a stiffness: it has no " + file);
-    deck = read_deck(files.deck(), {});
-    if (communicator.is_root()) data = data_of(*deck, files);
-  });
-  const json image = image_slices(communicator, *deck, arrays),
-             materials = material_slices(communicator, *deck, arrays);
-  std::string page;
-  base::collectively(communicator, [&] {
-    if (!communicator.is_root()) return;
-    data["image"] = image;
-    data["maps"] = materials;
-    page = output::report_page(deck->parameters.title, data, arrays);
-  });
-  write_report(communicator, folder, page, start, log);
+  const auto collect = [&](const output::RunFiles& files, std::vector<output::PageArray>& arrays) {
+    std::optional<Deck> deck;
+    json data;
+    base::collectively(communicator, [&] {
+      deck = read_deck(files.deck(), {});
+      if (communicator.is_root()) data = data_of(*deck, files);
+    });
+    const json image = image_slices(communicator, *deck, arrays),
+               materials = material_slices(communicator, *deck, arrays);
+    if (communicator.is_root()) {
+      data["image"] = image;
+      data["maps"] = materials;
+    }
+    return data;
+  };
+  make_report(communicator, folder, "a stiffness", {"deck.xml", "stiffness.json"}, collect, log);
 }
 
 }  // namespace stroma
