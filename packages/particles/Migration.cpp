@@ -87,9 +87,8 @@ void require_together(const ParticleExtent& extent, const grid::Grid& body) {
   }
 }
 
-grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
-                         const Particles<grid::Device>& particles, const FixedEnds& fixed) {
-  const ParticleExtent extent = extent_of(communicator, particles);
+grid::Grid covering_grid(const ParticleExtent& extent, const grid::Grid& body,
+                         const FixedEnds& fixed) {
   require_together(extent, body);
   grid::Grid grid = body;
   for (int d = 0; d < (body.flat ? 2 : 3); ++d) {

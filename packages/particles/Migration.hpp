@@ -45,15 +45,15 @@ void require_together(const ParticleExtent& extent, const grid::Grid& body);
 /// For each axis, whether a grid's lower and upper end stay where they are.
 using FixedEnds = std::array<std::array<bool, 2>, 3>;
 
-/// The smallest box of elements of a lattice that holds the particles of all ranks. The lattice is
-/// that of `body`, continued without end in each direction; so the grid follows the body wherever
-/// it goes, but for ends that are fixed. A particle on the face between two elements belongs to the
+/// The smallest box of elements of a lattice that holds particles of an extent. The lattice is that
+/// of `body`, continued without end in each direction; so the grid follows the body wherever it
+/// goes, but for ends that are fixed. A particle on the face between two elements belongs to the
 /// upper one. Plane strain keeps its one layer; of elements that are centred at knots there are two
-/// at least. Collective.
+/// at least.
 ///
 /// \throws base::RunError as require_together()
-grid::Grid covering_grid(const base::Communicator& communicator, const grid::Grid& body,
-                         const Particles<grid::Device>& particles, const FixedEnds& fixed = {});
+grid::Grid covering_grid(const ParticleExtent& extent, const grid::Grid& body,
+                         const FixedEnds& fixed = {});
 
 /// Boxes of elements with about equal numbers of particles. Collective.
 /// \throws base::RunError when the grid has become too small for so many ranks

@@ -22,6 +22,11 @@ struct Tensor3 {
 
 KOKKOS_FORCEINLINE_FUNCTION Tensor3 identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
+/// A symmetric tensor by xx, yy, zz, xy, yz, zx.
+KOKKOS_FORCEINLINE_FUNCTION Tensor3 symmetric(const double s[6]) {
+  return {{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
+}
+
 /// u x u.
 KOKKOS_FORCEINLINE_FUNCTION Tensor3 square_of(const double u[3]) {
   Tensor3 square;

@@ -15,9 +15,10 @@ namespace stroma::transfer {
 ///
 ///     min over n, m of  m_i Q_ik m_k,   Q_ik = n_j a_ijkl n_l   (acoustic tensor, Kirchhoff),
 ///
-/// over the directions n given, of each so-manieth particle; of others nothing is set. Where it is negative the tangent is not elliptic: a band across n
-/// softens, and strains localise in it, on any grid in as few elements as they can. Not a number for
-/// a particle turned inside out. Launch as InternalForce.
+/// over the directions n given, of every n-th particle; of others nothing is set. Where it is
+/// negative the tangent is not elliptic: a band across n softens, and strains localise in it, on any
+/// grid in as few elements as they can. Not a number for a particle turned inside out. Launch as
+/// InternalForce.
 /// Source: J. Rice, in Theoretical and Applied Mechanics (1976) 207; Ogden (1984), section 6.2.7.
 template <class Shape, class Law, class Device>
 struct WaveModulus {

@@ -40,6 +40,8 @@ class Results {
 
   /// Collective.
   ResultsSoFar so_far() const { return {rows_, fields_.end()}; }
+  /// Of the last accepted step.
+  const output::HistoryRow& last_row() const { return rows_.back(); }
 
   /// Writes an accepted step: its row always, the fields as often as the deck asks. The row's
   /// reactions, energy and material figures are computed here from u. Collective.

@@ -27,6 +27,24 @@ std::string name_of(const Deck& deck, const mechanics::WorstParticle& particle) 
                 particle.position[0], particle.position[1], particle.position[2]);
 }
 
+/// The particle that is least elliptic, as the log tells of it.
+std::string softest_of(const Deck& deck, const mechanics::Ellipticity& found) {
+  return format("particle %s, where a plane wave has a modulus of %.4g Pa",
+                name_of(deck, found.softest).c_str(), found.softest.figure);
+}
+
+/// Neo-Hookean bodies keep their ellipticity while von Mises' stress is below mu and J below e: the
+/// least modulus of 4,000 random states of such stress with K = 2 mu was 0.38 mu.
+bool is_surely_elliptic(const Deck& deck, const mechanics::Laws& laws,
+                        const output::HistoryRow& row) {
+  const auto& materials = deck.parameters.materials.materials;
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    if (!material::is_neo_hookean_alone(materials[m].second) ||
+        row.materials[m].von_mises_max > laws.moduli[m].shear)
+      return false;
+  return true;
+}
+
 /// The energy of a pressure depends on its wall alone only where particles integrate the volume of a
 /// displaced element exactly: at Gauss points.
 std::string pressure_note(const DeckParameters& p) {
@@ -139,18 +157,6 @@ void RunLog::rejected(double load, const std::string& reason) {
   log_->line(format("step to load %.6g rejected: %s", load, reason.c_str()));
 }
 
-/// Neo-Hookean bodies keep their ellipticity while von Mises' stress is below mu and J below e: the
-/// least modulus of 4,000 random states of such stress with K = 2 mu was 0.38 mu.
-bool is_surely_elliptic(const Deck& deck, const mechanics::Laws& laws,
-                        const output::HistoryRow& row) {
-  const auto& materials = deck.parameters.materials.materials;
-  for (std::size_t m = 0; m < materials.size(); ++m)
-    if (!material::is_neo_hookean_alone(materials[m].second) ||
-        row.materials[m].von_mises_max > laws.moduli[m].shear)
-      return false;
-  return true;
-}
-
 void RunLog::ellipticity(const mechanics::MovingBody& body, const output::HistoryRow& row) {
   if (is_surely_elliptic(*deck_, body.balance().problem().laws, row)) return;
   constexpr int enough = 2000;  // particles of a rank: a fraction of a second
@@ -159,10 +165,9 @@ void RunLog::ellipticity(const mechanics::MovingBody& body, const output::Histor
   if (found.lost == 0) return;
   log_->note(
       format("%lld of %lld particles looked at have lost ellipticity: their laws soften, strains "
-             "localise there, and results depend on the size of elements; least elliptic: particle "
-             "%s, where a plane wave has a modulus of %.4g Pa",
+             "localise there, and results depend on the size of elements; least elliptic: %s",
              static_cast<long long>(found.lost), static_cast<long long>(found.looked_at),
-             name_of(*deck_, found.softest).c_str(), found.softest.figure));
+             softest_of(*deck_, found).c_str()));
 }
 
 void RunLog::stabilization(const mechanics::MovingBody& body) {
@@ -175,13 +180,11 @@ std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
                     const grid::Vector& trial, const solver::StepControl& load,
                     const std::string& reason, const std::string& folder) {
   const mechanics::WorstParticle worst = balance.body().worst_particle(trial);
-  const mechanics::WorstParticle softest = balance.body().ellipticity(trial).softest;
+  const mechanics::Ellipticity found = balance.body().ellipticity(trial);
   std::string ellipticity;
-  if (softest.figure < 0.0)
-    ellipticity = format(
-        "lost ellipticity: particle %s, where a plane wave has a modulus of %.4g Pa: its law "
-        "softens, and strains localise\n",
-        name_of(deck, softest).c_str(), softest.figure);
+  if (found.softest.figure < 0.0)
+    ellipticity = "lost ellipticity: " + softest_of(deck, found) +
+                  ": its law softens, and strains localise\n";
   std::string advice;
   for (const std::string& one : solver::advice(circumstances(deck, balance)))
     advice += "\n- " + one;

@@ -145,7 +145,7 @@ void Run::take_steps() {
     stop.obey(true);
   }
   say.stabilization(body);
-  say.ellipticity(body, results.so_far().rows.back());
+  say.ellipticity(body, results.last_row());
 }
 
 /// Solves the step to load.next(), or halves it, or stabilises the body more.

@@ -20,11 +20,11 @@ inline mechanics::MovingBody shifted_body(const base::Communicator& communicator
   for (int p = 0; p < particles.count(); ++p)
     for (int d = 0; d < 3; ++d) particles.position(p, d) += distance[static_cast<std::size_t>(d)];
   mechanics::Problem problem = specimen.problem();
-  problem.body = particles::covering_grid(communicator, specimen.grid(), particles);
+  const particles::ParticleExtent extent = particles::extent_of(communicator, particles);
+  problem.body = particles::covering_grid(extent, specimen.grid());
   const auto partition = particles::balanced_partition(
       communicator,
-      particles::covering_grid(
-          communicator, grid::grid_for(specimen.shape_functions, specimen.grid()), particles),
+      particles::covering_grid(extent, grid::grid_for(specimen.shape_functions, specimen.grid())),
       particles);
   particles = particles::migrate(communicator, partition, particles);
   return {communicator, partition, particles, problem};

@@ -87,22 +87,23 @@ grid::Grid fitted_grid(const base::Communicator& communicator, const Problem& pr
                        const particles::Particles<grid::Device>& particles) {
   std::array<double, 3> half_edge = problem.outer_thickness;
   for (double& edge : half_edge) edge *= 0.5;
-  const particles::ParticleExtent extent = particles::extent_of(communicator, particles, half_edge);
-  particles::require_together(extent, problem.body);
+  const particles::ParticleExtent centers = particles::extent_of(communicator, particles),
+                                  boxes = particles::extent_of(communicator, particles, half_edge);
+  particles::require_together(boxes, problem.body);
   grid::Grid lattice = problem.body;
   particles::FixedEnds is_fixed{};
   for (int d = 0; d < (lattice.flat ? 2 : 3); ++d) {
     const auto i = static_cast<std::size_t>(d);
-    const End lower = end_of(problem, load, face_of(d, false), extent.lowest[i]),
-              upper = end_of(problem, load, face_of(d, true), extent.highest[i]);
+    const End lower = end_of(problem, load, face_of(d, false), boxes.lowest[i]),
+              upper = end_of(problem, load, face_of(d, true), boxes.highest[i]);
     fit_axis(load, last.elements[i] - (last.centered ? 1 : 0), d, lower, upper, lattice);
     is_fixed[i] = lower.is_fixed && upper.is_fixed
                       ? std::array<bool, 2>{true, true}
                       : std::array<bool, 2>{lower.is_plane, upper.is_plane};
   }
   grid::Grid grid = particles::covering_grid(
-      communicator, grid::grid_for(problem.method.shape_functions, lattice), particles, is_fixed);
-  if (problem.dynamics) enclose(is_fixed, particles::extent_of(communicator, particles), grid);
+      centers, grid::grid_for(problem.method.shape_functions, lattice), is_fixed);
+  if (problem.dynamics) enclose(is_fixed, centers, grid);
   return grid;
 }
 

@@ -20,10 +20,10 @@ namespace stroma::mechanics {
 /// - at another face: where the boxes end that its outermost particles stand for.
 ///
 /// Faces with grips, all free ones of a body with inertia, and those whose Problem::outer_thickness
-/// is not given are left out of that. Along an axis
-/// with such an end, nodes lie on the plane opposite, if there is one, and elements have the
-/// asked-for size; without a plane the lattice is that of the undeformed body, continued without
-/// end, of which the grid is the smallest part that holds the particles. Collective.
+/// is not given are left out of that. Along an axis with such an end, nodes lie on the plane
+/// opposite, if there is one, and elements have the asked-for size; without a plane the lattice is
+/// that of the undeformed body, continued without end, of which the grid is the smallest part that
+/// holds the particles. Collective.
 ///
 /// \param communicator  of the ranks that share the body
 /// \param problem       with the conditions, and the grid of the undeformed body

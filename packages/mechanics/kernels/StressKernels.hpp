@@ -58,7 +58,7 @@ class StressKernels {
   /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
   virtual void layer_fields(const Points& points, int k, int first,
                             const transfer::ParticleFields<Device>& fields) const = 0;
-  /// transfer::WaveModulus of each so-manieth particle.
+  /// transfer::WaveModulus of every n-th particle.
   virtual void wave_moduli(const Points& points,
                            const Kokkos::View<const material::FiberDirection*, Device>& directions,
                            int every, const Kokkos::View<double*, Device>& least) const = 0;

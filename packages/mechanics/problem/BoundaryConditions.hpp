@@ -47,7 +47,7 @@ struct BoundaryCondition {
   std::optional<std::array<double, 3>> center;  ///< on the axis [um]; else the body box's middle
   std::optional<VectorImages> images;           ///< of the displacement at full load
   std::shared_ptr<const VectorField> field = {};  ///< what they hold around the face
-  std::optional<ImposedBy> imposed_by;            ///< else: nodes without grid reset, grip with it
+  std::optional<ImposedBy> imposed_by;            ///< else Problem::imposed_by()
   /// Springs' stiffness per area, in moduli M per length of the body along the face's normal [-].
   std::optional<double> penalty_factor;   ///< else Problem::spring_stiffness()
   std::optional<std::string> load_curve;  ///< the deck's name of `curve`

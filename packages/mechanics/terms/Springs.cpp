@@ -61,8 +61,9 @@ void Springs::begin_pulling(const TrialState& state) {
     for (; n < point.extent(0) && point(n).particle < end; ++n) {
       if (!pulls_on(point(n))) continue;
       const auto p = static_cast<std::size_t>(point(n).particle - first);
-      const auto s = [&](int c) { return stress(p, c); };
-      const tensor::Tensor3 sigma{{{s(0), s(3), s(5)}, {s(3), s(1), s(4)}, {s(5), s(4), s(2)}}};
+      double s[6];
+      for (int c = 0; c < 6; ++c) s[c] = stress(p, c);
+      const tensor::Tensor3 sigma = tensor::symmetric(s);
       tensor::Tensor3 F = tensor::identity();
       for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d) F(c, d) += gradient(p, c, d);

@@ -23,11 +23,6 @@ const char* const columns =
     "strain_xx,strain_yy,strain_zz,strain_xy,strain_yz,strain_zx,dipole_xx,dipole_yy,dipole_zz,"
     "dipole_xy,dipole_yz,dipole_zx,deformed_volume\n";
 
-/// xx yy zz xy yz zx.
-tensor::Tensor3 symmetric(const double* s) {
-  return {{{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}}};
-}
-
 /// Principal values, descending, and the axis of the largest, whose largest component is positive.
 struct Principal {
   std::array<double, 3> value, axis;
@@ -71,7 +66,7 @@ tensor::Tensor3 spread_of(const image::ObjectMoments& object, const ObjectLattic
     spread[c] = (static_cast<double>(product) / n - off[a] * off[b] + (c < 3 ? 1.0 / 12.0 : 0.0)) *
                 lattice.voxel_size[a] * lattice.voxel_size[b];
   }
-  return symmetric(spread.data());
+  return tensor::symmetric(spread.data());
 }
 
 std::vector<double> list(const double* values, std::size_t count) {
@@ -100,7 +95,7 @@ std::string mechanics(const double* sums, double& stress) {
   }
   std::array<double, ObjectSums::count> mean{};
   for (std::size_t n = 1; n < mean.size(); ++n) mean[n] = sums[n] / volume;
-  const Principal principal = principal_of(symmetric(&mean[2]));
+  const Principal principal = principal_of(tensor::symmetric(&mean[2]));
   stress = principal.value[0];
   return csv_numbers({mean[1]}) + csv_numbers(list(&mean[2], 6)) + csv_numbers({stress}) +
          csv_numbers(list(principal.axis.data(), 3)) + csv_numbers(list(&mean[8], 6)) +

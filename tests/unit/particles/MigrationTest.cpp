@@ -61,7 +61,8 @@ Particles<grid::Device> scattered() {
 }
 
 grid::Partition partition_for(const Particles<grid::Device>& particles) {
-  return balanced_partition(all_ranks(), covering_grid(all_ranks(), body(), particles), particles);
+  return balanced_partition(all_ranks(), covering_grid(extent_of(all_ranks(), particles), body()),
+                            particles);
 }
 
 // Whoever sends them, they arrive whole, once, at the owner of their element, sorted by element and
@@ -158,7 +159,7 @@ TEST(Migration, HomesAreKept) {
 // The grid covers the body and nothing else, on the nodes of the body's lattice.
 TEST(Migration, TheGridFollowsTheBody) {
   const auto at_rest = seeded();
-  grid::Grid grid = covering_grid(all_ranks(), body(), at_rest);
+  grid::Grid grid = covering_grid(extent_of(all_ranks(), at_rest), body());
   EXPECT_EQ(grid.elements, body().elements);
   EXPECT_EQ(grid.origin, body().origin);
 
@@ -166,7 +167,7 @@ TEST(Migration, TheGridFollowsTheBody) {
                                        0.5 - 2e-13};  // 3.5, -1 and, but for rounding, 0.5
   for (int p = 0; p < at_rest.count(); ++p)
     for (int d = 0; d < 3; ++d) at_rest.position(p, d) += distance[static_cast<std::size_t>(d)];
-  grid = covering_grid(all_ranks(), body(), at_rest);
+  grid = covering_grid(extent_of(all_ranks(), at_rest), body());
   EXPECT_EQ(grid.elements, (grid::Index3{6, 4, 7}));
   EXPECT_NEAR(grid.origin[0], -3.0 + 3 * 2.0, 1e-14);
   EXPECT_NEAR(grid.origin[1], 7.0 - 1.5, 1e-14);
@@ -202,7 +203,7 @@ TEST(Migration, FacesBelongToTheUpperElement) {
 TEST(Migration, LostParticlesAreRefusedOnAllRanks) {
   auto particles = seeded();
   if (particles.count() > 0 && all_ranks().is_root()) particles.position(0, 1) = 1e9;
-  EXPECT_THROW(covering_grid(all_ranks(), body(), particles), base::RunError);
+  EXPECT_THROW(covering_grid(extent_of(all_ranks(), particles), body()), base::RunError);
 }
 
 }  // namespace
