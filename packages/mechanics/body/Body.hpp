@@ -155,6 +155,7 @@ class Body {
   /// Of the particles that are looked at, those that have lost ellipticity: where the least modulus
   /// of a plane wave (transfer::WaveModulus) is negative. Looking at a particle takes as long as a
   /// hundred forces on it.
+  /// \param u     displacement since the base [um]
   /// \param most  so many particles of each rank are looked at, spread evenly
   Ellipticity ellipticity(const grid::Vector& u, int most = std::numeric_limits<int>::max()) const;
   /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
