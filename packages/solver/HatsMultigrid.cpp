@@ -13,6 +13,18 @@ namespace {
 
 using Smoother = Ifpack2::Preconditioner<double>;
 
+/// What the smoother damps: the waves that hats do not have, of which the shortest resists least,
+/// since the functions nearly cancel in it. Its share of the largest eigenvalue is 1/20 for
+/// quadratic and 1/230 for cubic B-splines (docs/theory.md, section 9).
+struct Range {
+  int degree;    ///< of the polynomial: that which took the least time
+  double ratio;  ///< largest eigenvalue by the smallest damped
+};
+Range range_of(int width) {
+  const bool is_cubic = width > shape::kind_of(shape::ShapeFunctions::quadratic_b_spline).width;
+  return is_cubic ? Range{8, 240.0} : Range{3, 12.0};
+}
+
 /// One cycle on two levels for the tangent K of wider shape functions. The coarse one is that of
 /// the hats on the lattice under them, where a cycle M of the geometric multigrid stands for a
 /// solve:
@@ -85,8 +97,9 @@ class HatsMultigrid : public Preconditioner {
     cycle_ = Teuchos::rcp(new multigrid::GeometricMultigrid(
         Teuchos::rcp_dynamic_cast<const tangent::StencilMatrix>(hats_->tangent(), true),
         lattice_.halo().partition().grid().spacing, mechanics::barely_held_elements(*hats_)));
-    smoothing_.set("chebyshev: degree", 3);
-    smoothing_.set("chebyshev: ratio eigenvalue", 12.0);
+    const Range range = range_of(balance.halo().partition().grid().width);
+    smoothing_.set("chebyshev: degree", range.degree);
+    smoothing_.set("chebyshev: ratio eigenvalue", range.ratio);
     smoothing_.set("chebyshev: eigenvalue max iterations", 20);
     smoothing_.set("chebyshev: boost factor", 1.2);
     smoothing_.set("chebyshev: zero starting solution", true);

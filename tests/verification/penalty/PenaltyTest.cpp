@@ -223,10 +223,8 @@ TEST_P(PenaltyOf, SpringsPullOn) {
   }
 }
 
-// V-PEN-6. (Splines: docs/theory.md.)
+// V-PEN-6.
 TEST_P(PenaltyOf, SpringsThatPullOnTakeFewIterations) {
-  if (GetParam().shape_functions == shape::ShapeFunctions::cubic_b_spline)
-    GTEST_SKIP() << "cubic splines take 200";
   Specimen specimen = two_materials(false);
   GetParam().apply_to(specimen);
   specimen.conditions = test::clamped(0.3);
@@ -248,7 +246,9 @@ TEST_P(PenaltyOf, SpringsThatPullOnTakeFewIterations) {
   }
   if (world().is_root())
     std::printf("  %-18s %lld iterations in a solve at most\n", GetParam().name.c_str(), most);
-  EXPECT_LE(most, 30);
+  // Two particles a direction leave cubic splines almost free to alternate; with four they take 13.
+  const bool is_cubic = GetParam().shape_functions == shape::ShapeFunctions::cubic_b_spline;
+  EXPECT_LE(most, is_cubic ? 75 : 30);
 }
 
 // V-PEN-5. What cannot be imposed is refused.
