@@ -118,8 +118,9 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
       (is_sorted ? 2.0 * seeded + order : seeded) * counts.particles + taken * counts.particles;
   estimate.particles = (resets ? 2.0 * moving + seeded : seeded + kept) * counts.particles;
   // Results are evaluated a layer of elements at a time; with reset they must go home all together.
-  estimate.results =
-      resets ? (160.0 + 72.0) * counts.particles : 160.0 * counts.particles / counts.layers;
+  // Then the modulus of a plane wave may be looked for, of all layers.
+  estimate.results = resets ? (160.0 + 72.0) * counts.particles
+                            : std::max(160.0 / counts.layers, 8.0) * counts.particles;
   // Velocities by components, and all together where nodes have them.
   if (parameters.loading.inertia)
     estimate.results += (carry_motion ? 24.0 : 48.0) * counts.particles;

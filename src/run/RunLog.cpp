@@ -27,10 +27,18 @@ std::string name_of(const Deck& deck, const mechanics::WorstParticle& particle) 
                 particle.position[0], particle.position[1], particle.position[2]);
 }
 
-/// The particle that is least elliptic, as the log tells of it.
-std::string softest_of(const Deck& deck, const mechanics::Ellipticity& found) {
-  return format("particle %s, where a plane wave has a modulus of %.4g Pa",
-                name_of(deck, found.softest).c_str(), found.softest.figure);
+/// What is to be said of particles that have lost ellipticity; nothing where none has.
+std::string localization_note(const Deck& deck, const mechanics::Body& body, const grid::Vector& u,
+                              int share) {
+  const mechanics::Localization found = body.localization(u, share);
+  if (found.particles == 0) return "";
+  return format(
+      "lost ellipticity: %lld particle%s%s, most of all particle %s, where a plane wave across "
+      "(%.3f, %.3f, %.3f) has a modulus of %.4g Pa: the material softens, and strains localise",
+      static_cast<long long>(found.particles), found.particles == 1 ? "" : "s",
+      share == 1 ? "" : format(" in one element of %d that were looked at", share).c_str(),
+      name_of(deck, found.worst).c_str(), found.direction[0], found.direction[1],
+      found.direction[2], found.worst.figure);
 }
 
 /// Neo-Hookean bodies keep their ellipticity while von Mises' stress is below mu and J below e: the
@@ -153,21 +161,23 @@ void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResul
                solved.hold_share));
 }
 
-void RunLog::rejected(double load, const std::string& reason) {
-  log_->line(format("step to load %.6g rejected: %s", load, reason.c_str()));
+void RunLog::localization(const mechanics::MovingBody& body, const output::HistoryRow& row) {
+  const mechanics::Problem& problem = body.balance().problem();
+  if (has_told_of_localization_ || is_surely_elliptic(*deck_, problem.laws, row)) return;
+  const grid::Index3& elements = problem.body.elements;
+  constexpr std::int64_t always = 128, at_most = 32;  // takes less than 1 % of a run
+  const int share = static_cast<int>(
+      std::clamp(elements[0] * elements[1] * elements[2] / always, std::int64_t{1}, at_most));
+  const std::string found =
+      localization_note(*deck_, body.balance().body(), body.displacement(), share);
+  if (found.empty()) return;
+  has_told_of_localization_ = true;
+  log_->note(format("at load %.6g the body has ", row.load) + found +
+             "; results from here on may depend on the grid");
 }
 
-void RunLog::ellipticity(const mechanics::MovingBody& body, const output::HistoryRow& row) {
-  if (is_surely_elliptic(*deck_, body.balance().problem().laws, row)) return;
-  constexpr int enough = 2000;  // particles of a rank: a fraction of a second
-  const mechanics::Ellipticity found =
-      body.balance().body().ellipticity(body.displacement(), enough);
-  if (found.lost == 0) return;
-  log_->note(
-      format("%lld of %lld particles looked at have lost ellipticity: their laws soften, strains "
-             "localise there, and results depend on the size of elements; least elliptic: %s",
-             static_cast<long long>(found.lost), static_cast<long long>(found.looked_at),
-             softest_of(*deck_, found).c_str()));
+void RunLog::rejected(double load, const std::string& reason) {
+  log_->line(format("step to load %.6g rejected: %s", load, reason.c_str()));
 }
 
 void RunLog::stabilization(const mechanics::MovingBody& body) {
@@ -180,11 +190,7 @@ std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
                     const grid::Vector& trial, const solver::StepControl& load,
                     const std::string& reason, const std::string& folder) {
   const mechanics::WorstParticle worst = balance.body().worst_particle(trial);
-  const mechanics::Ellipticity found = balance.body().ellipticity(trial);
-  std::string ellipticity;
-  if (found.softest.figure < 0.0)
-    ellipticity = "lost ellipticity: " + softest_of(deck, found) +
-                  ": its law softens, and strains localise\n";
+  const std::string lost = localization_note(deck, balance.body(), trial, 1);
   std::string advice;
   for (const std::string& one : solver::advice(circumstances(deck, balance)))
     advice += "\n- " + one;
@@ -193,7 +199,7 @@ std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
              "forbids smaller ones: %s\n",
              load.load(), load.next(), reason.c_str()) +
          format("worst particle: %s, J = %.4g\n", name_of(deck, worst).c_str(), worst.figure) +
-         ellipticity + "the steps up to there are in " + folder +
+         (lost.empty() ? "" : lost + "\n") + "the steps up to there are in " + folder +
          "; to go on, what may help:" + advice;
 }
 

@@ -40,9 +40,10 @@ class RunLog {
                       double load);
   /// An accepted step, and, once each, what a converged one leaves to be said.
   void accepted(const solver::StepControl& load, const solver::NewtonResult& solved);
+  /// Says once where the body, as it is after the accepted step of a row, has lost ellipticity.
+  /// Collective.
+  void localization(const mechanics::MovingBody& body, const output::HistoryRow& row);
   void rejected(double load, const std::string& reason);
-  /// Says where the body, as it is at the end of the step of a row, has lost ellipticity. Collective.
-  void ellipticity(const mechanics::MovingBody& body, const output::HistoryRow& row);
   /// What Grid|Stabilization adds to the body, where it does. Collective.
   void stabilization(const mechanics::MovingBody& body);
 
@@ -55,7 +56,7 @@ class RunLog {
   double start_;
   std::string step_ = {};      ///< that is being solved, as the line of progress has it
   double full_load_at_ = 0.0;  ///< seconds() by the steps so far; 0: none yet
-  bool has_told_of_rounding_ = false, has_told_of_holds_ = false;
+  bool has_told_of_rounding_ = false, has_told_of_holds_ = false, has_told_of_localization_ = false;
 };
 
 /// Why the step from one load to the next failed at the smallest size, where, and how to go on.

@@ -134,6 +134,7 @@ void Run::take_steps() {
     results.write(row, body.balance(), *trial);
     if (accepted) accepted({row, body.balance(), *trial, *newton});
     say.accepted(load, *solved);
+    say.localization(body, results.last_row());
     log.require_written();
     if (load.finished()) break;
     if (checkpoints.is_due(load.accepted())) {
@@ -145,7 +146,6 @@ void Run::take_steps() {
     stop.obey(true);
   }
   say.stabilization(body);
-  say.ellipticity(body, results.last_row());
 }
 
 /// Solves the step to load.next(), or halves it, or stabilises the body more.

@@ -269,26 +269,31 @@ WorstParticle Body::worst_particle(const grid::Vector& u) const {
   return worst_by(particle_fields(u).jacobian);
 }
 
-Ellipticity Body::ellipticity(const grid::Vector& u, int most) const {
-  const int every = 1 + (particles_.count() - 1) / most;
+Localization Body::localization(const grid::Vector& u, int share) const {
   material::DistributionParameters everywhere;
   everywhere.distribution = material::Distribution::spherical;
-  everywhere.quadrature = 8;
-  const Kokkos::View<double*, Device> moduli("wave moduli",
-                                             static_cast<std::size_t>(particles_.count()));
-  Kokkos::deep_copy(moduli, std::numeric_limits<double>::infinity());
-  stress_->wave_moduli(points(u), grid::to_device("directions", material::directions(everywhere)),
-                       every, moduli);
+  everywhere.quadrature = 4;
+  const auto directions = grid::to_device("directions", material::directions(everywhere));
+  const auto count = static_cast<std::size_t>(particles_.count());
+  const Kokkos::View<double*, Device> moduli("wave moduli", count);  // zero: not looked at
+  stress_->wave_moduli(points(u), directions, share, moduli, {});
+  Localization found;
   const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), moduli);
-  Ellipticity result;
-  for (int p = 0; p < particles_.count(); p += every) {
-    ++result.looked_at;
-    if (!(on_host(p) >= 0.0)) ++result.lost;
-  }
-  result.looked_at = communicator().sum(result.looked_at);
-  result.lost = communicator().sum(result.lost);
-  result.softest = worst_by(moduli);
-  return result;
+  for (std::size_t p = 0; p < count; ++p)
+    if (on_host(p) < 0.0) ++found.particles;
+  found.particles = communicator().sum(found.particles);
+  if (found.particles == 0) return found;
+  found.worst = worst_by(moduli);
+
+  const Kokkos::View<double* [3], Device> across("across", count);
+  stress_->wave_moduli(points(u), directions, share, moduli, across);
+  const auto n = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), across);
+  const auto id = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles_.id);
+  for (std::size_t p = 0; p < count; ++p)
+    if (id(p) == found.worst.id)
+      for (std::size_t d = 0; d < 3; ++d) found.direction[d] = n(p, d);
+  communicator().sum_all(found.direction.data(), 3);
+  return found;
 }
 
 WorstParticle Body::worst_by(const Kokkos::View<const double*, Device>& figure) const {

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -27,10 +26,11 @@ struct WorstParticle {
   std::array<double, 3> position{};  ///< at the base configuration [um]
 };
 
-/// Whether particles have lost ellipticity.
-struct Ellipticity {
-  WorstParticle softest;  ///< figure: the least modulus of a plane wave through it [Pa]
-  std::int64_t lost = 0, looked_at = 0;
+/// Particles whose material has lost ellipticity (transfer::WaveModulus).
+struct Localization {
+  std::int64_t particles = 0;         ///< of all ranks
+  WorstParticle worst;                ///< figure: the modulus of a plane wave [Pa], < 0
+  std::array<double, 3> direction{};  ///< a band across it takes the strain; of unit length
 };
 
 /// Results at the particles of a rank, one layer of elements along z at a time, so that nobody keeps
@@ -152,12 +152,9 @@ class Body {
   FieldLayers field_layers(const grid::Vector& u) const;
   /// The one with the smallest J.
   WorstParticle worst_particle(const grid::Vector& u) const;
-  /// Of the particles that are looked at, those that have lost ellipticity: where the least modulus
-  /// of a plane wave (transfer::WaveModulus) is negative. Looking at a particle takes as long as a
-  /// hundred forces on it.
-  /// \param u     displacement since the base [um]
-  /// \param most  so many particles of each rank are looked at, spread evenly
-  Ellipticity ellipticity(const grid::Vector& u, int most = std::numeric_limits<int>::max()) const;
+  /// Where a plane wave has a negative modulus, of one element in `share` (transfer::is_drawn).
+  /// Takes as long as a tangent of these.
+  Localization localization(const grid::Vector& u, int share) const;
   /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
   /// much the body is strained where it is strained most. Rounding makes 1e-15 of a body at rest.
   double largest_strain(const grid::Vector& u) const;

@@ -58,10 +58,11 @@ class StressKernels {
   /// transfer::GridToParticles, of the layer k of elements, whose first particle is `first`.
   virtual void layer_fields(const Points& points, int k, int first,
                             const transfer::ParticleFields<Device>& fields) const = 0;
-  /// transfer::WaveModulus of every n-th particle.
+  /// transfer::WaveModulus; of particles of elements that are not drawn nothing is set.
   virtual void wave_moduli(const Points& points,
                            const Kokkos::View<const material::FiberDirection*, Device>& directions,
-                           int every, const Kokkos::View<double*, Device>& least) const = 0;
+                           int share, const Kokkos::View<double*, Device>& least,
+                           const Kokkos::View<double* [3], Device>& across) const = 0;
   /// transfer::UpdateHistory: writes the particles' history, if they have one. For displacements
   /// that were accepted.
   virtual void update_history(const Points& points) const = 0;

@@ -90,12 +90,14 @@ class StressKernelsOf : public StressKernels {
   }
   void wave_moduli(const Points& points,
                    const Kokkos::View<const material::FiberDirection*, Device>& directions,
-                   int every, const Kokkos::View<double*, Device>& least) const override {
+                   int share, const Kokkos::View<double*, Device>& least,
+                   const Kokkos::View<double* [3], Device>& across) const override {
     if constexpr (std::is_same_v<Law, material::NeoHookean>)
-      general_->wave_moduli(points, directions, every, least);
+      general_->wave_moduli(points, directions, share, least, across);
     else
       launch("wave moduli", points,
-             transfer::WaveModulus<Shape, Law, Device>{{points}, law_, directions, every, least});
+             transfer::WaveModulus<Shape, Law, Device>{
+                 {points}, law_, directions, share, least, across});
   }
   void update_history(const Points& points) const override {
     if constexpr (material::states_of < Law >> 0)
