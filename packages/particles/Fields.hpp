@@ -19,6 +19,7 @@ enum class Presence {
   always,
   where_particles_move,  ///< across the grid, or with a displacement of their own (make_movable)
   where_particles_carry_motion,  ///< velocities, with inertia (begin_motion)
+  where_motion_changes_grids,    ///< its gradients, with lumped masses on a grid that is reset
   where_materials_vary,          ///< from particle to particle
   where_laws_remember            ///< what happened to the particle
 };
@@ -54,6 +55,8 @@ void for_each_field(const Visit& visit, Sets&&... sets) {
   visit(Field{"home", "-", P::where_particles_move}, sets.home...);
   visit(Field{"velocity", "um/s", P::where_particles_carry_motion}, sets.velocity...);
   visit(Field{"acceleration", "um/s^2", P::where_particles_carry_motion}, sets.acceleration...);
+  visit(Field{"velocity_gradient", "1/s", P::where_motion_changes_grids},
+        sets.velocity_gradient...);
   visit(Field{"own_numbers", "the law's", P::where_materials_vary}, sets.own_numbers...);
   visit(Field{"history", "the law's", P::where_laws_remember}, sets.history...);
 }
@@ -117,14 +120,20 @@ void begin_history(Particles<Device>& particles, int numbers) {
 }
 
 /// Gives particles a velocity and an acceleration, zeros, if they have none yet.
+/// \param particles      of this rank
+/// \param with_gradient  whether they get a velocity gradient, too
 /// \return whether they had none
 template <class Device>
-bool begin_motion(Particles<Device>& particles) {
+bool begin_motion(Particles<Device>& particles, bool with_gradient) {
   const auto count = static_cast<std::size_t>(particles.count());
   if (particles.velocity.extent(0) == count) return false;
   for (auto* field : {&particles.velocity, &particles.acceleration}) {
     allocate(*field, "motion", count);
     Kokkos::deep_copy(*field, 0.0);
+  }
+  if (with_gradient) {
+    allocate(particles.velocity_gradient, "motion", count);
+    Kokkos::deep_copy(particles.velocity_gradient, 0.0);
   }
   return true;
 }

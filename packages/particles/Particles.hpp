@@ -37,6 +37,7 @@ struct Particles {
   Kokkos::View<std::int64_t*, Device> home;      ///< where results belong (Exchange.hpp), or empty
   Vector3 velocity;                              ///< v [um/s], or empty
   Vector3 acceleration;                          ///< a [um/s^2], or empty
+  Tensor velocity_gradient;                      ///< dv/dx [1/s], or empty
   /// (particle, number) What stands in place of numbers of its material's law (material::AnyLaw::
   /// let_vary), in their units, or empty.
   Kokkos::View<double**, Kokkos::LayoutRight, Device> own_numbers;

@@ -83,4 +83,26 @@ struct AddAtParticles {
   }
 };
 
+/// Sets each particle's gradient of nodal values v at the current configuration:
+/// G_p = sum_I v_I (x) grad_x N_I. `elements.displacement` is that of the nodes.
+template <class Shape, class Device>
+struct GradientAtParticles {
+  ElementParticles<Shape, Device> elements;
+  Kokkos::View<const double* [3], Kokkos::LayoutRight, Device> nodal;  ///< (touched node, i) v
+  Kokkos::View<double* [3][3], Kokkos::LayoutRight, Device> gradient;  ///< (particle, i, j)
+
+  KOKKOS_FUNCTION void operator()(int i, int j, int k, std::int64_t& bad) const {
+    double v[3][Shape::nodes];
+    elements.gather(nodal, i, j, k, v);
+    elements.for_each_particle(i, j, k, bad, [&](const ParticlePoint<Shape>& point) {
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d) {
+          double sum = 0.0;
+          for (int a = 0; a < Shape::nodes; ++a) sum += v[c][a] * point.gradient[d][a];
+          gradient(point.p, c, d) = sum;
+        }
+    });
+  }
+};
+
 }  // namespace stroma::transfer

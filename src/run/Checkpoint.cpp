@@ -151,6 +151,7 @@ std::vector<double> values_of_curves(const DeckParameters& p,
 bool is_state(const particles::Field& field) {
   return field.change == particles::Change::with_the_grid ||
          field.presence == particles::Presence::where_particles_carry_motion ||
+         field.presence == particles::Presence::where_motion_changes_grids ||
          field.presence == particles::Presence::where_laws_remember;
 }
 

@@ -101,9 +101,12 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const double remembered = sizeof(double) * material::states_of_materials(materials);
   const bool carry_motion = parameters.loading.inertia &&
                             (resets || parameters.loading.mass == solver::MassMatrix::consistent);
+  const bool carry_gradients =
+      parameters.loading.inertia && resets && parameters.loading.mass == solver::MassMatrix::lumped;
   const double kept =
       remembered +
-      (carry_motion ? bytes_of_particle({Presence::where_particles_carry_motion}) : 0.0);
+      (carry_motion ? bytes_of_particle({Presence::where_particles_carry_motion}) : 0.0) +
+      (carry_gradients ? bytes_of_particle({Presence::where_motion_changes_grids}) : 0.0);
   const double moving = seeded + bytes_of_particle({Presence::where_particles_move}) + kept;
   constexpr double order = 24.0;  // of a particle, while particles are sorted
   // What fields are made of: an image with its copy, or the gradients of one and their product; and

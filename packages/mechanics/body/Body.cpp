@@ -34,6 +34,14 @@ void check_shape_functions(const Problem& problem, const grid::Grid& grid) {
           "Problem::particle_half_edge of each layer of particles along each axis");
 }
 
+/// Elements that particles fill by a smaller share get fictitious points. Where a body ends a little
+/// below a knot, elements on it are half full, and the functions beyond have next to no consistent
+/// mass: they need more help than lumped masses do.
+double stabilized_share(const Problem& problem) {
+  const bool is_consistent = problem.dynamics && !problem.dynamics->lumped;
+  return is_consistent && problem.method.reset ? 0.75 : 0.5;
+}
+
 /// Refuses numbers that no law would take, or too few of them. Collective: ranks without particles
 /// have none.
 void check_fields(const base::Communicator& communicator,
@@ -88,7 +96,8 @@ Body::Body(const base::Communicator& communicator, const grid::Partition& partit
         "admissible: Dilatation::pointwise");
   particles::begin_history(particles_, stress_->states());
   if (particles_carry_motion())
-    begins_motion_ = communicator.any(particles::begin_motion(particles_));
+    begins_motion_ =
+        communicator.any(particles::begin_motion(particles_, particles_carry_gradients()));
   typical_diagonal_ = problem.laws.stiffest_modulus() *
                       std::min({box_.spacing[0], box_.spacing[1], box_.spacing[2]});
   find_fictitious_points();
@@ -143,7 +152,7 @@ void Body::find_fictitious_points() {
   fictitious_volume_ = {};
   const double stabilization = problem_.method.stabilization;
   if (stabilization == 0.0) return;
-  const auto missing = missing_volume(box_, particles_);
+  const auto missing = missing_volume(box_, particles_, stabilized_share(problem_));
   const Kokkos::View<float*, Device> volume("fictitious volume", missing.extent(0));
   const double count_of_element = kernels_->fictitious_points();
   std::int64_t found = 0;

@@ -94,6 +94,10 @@ class Body {
     const auto& dynamics = problem_.dynamics;
     return dynamics && (problem_.method.reset || !dynamics->lumped);
   }
+  /// Whether particles carry velocity gradients too (Particles::velocity_gradient).
+  bool particles_carry_gradients() const {
+    return particles_carry_motion() && problem_.dynamics->lumped;
+  }
   /// Whether a motion begins with this body: it was not given particles that have one.
   bool begins_motion() const { return begins_motion_; }
   /// About the size of an element's entries on the tangent's diagonal [pN/um].

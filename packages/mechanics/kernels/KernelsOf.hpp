@@ -74,6 +74,11 @@ class KernelsOf : public ShapeKernels {
   void add_at_particles(const Points& points, const NodeView& field) const override {
     launch("add at particles", points, transfer::AddAtParticles<Shape, Device>{{points}, field});
   }
+  void gradient_at_particles(const Points& points, const ConstNodeView& nodal,
+                             const Particles::Tensor& gradient) const override {
+    launch("gradient at particles", points,
+           transfer::GradientAtParticles<Shape, Device>{{points}, nodal, gradient});
+  }
   void mass_tangent(const Points& points, const Kokkos::View<const double*, Device>& density,
                     const transfer::BlockRows<Device>& rows) const override {
     launch(

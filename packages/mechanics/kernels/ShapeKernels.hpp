@@ -66,6 +66,9 @@ class ShapeKernels {
                                 const NodeView& mass, const NodeView& momentum) const = 0;
   /// transfer::AddAtParticles.
   virtual void add_at_particles(const Points& points, const NodeView& field) const = 0;
+  /// transfer::GradientAtParticles: writes the particles' gradients of nodal values.
+  virtual void gradient_at_particles(const Points& points, const ConstNodeView& nodal,
+                                     const Particles::Tensor& gradient) const = 0;
   /// transfer::MassTangent.
   virtual void mass_tangent(const Points& points,
                             const Kokkos::View<const double*, Device>& density,

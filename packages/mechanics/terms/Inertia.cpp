@@ -137,12 +137,52 @@ void Inertia::begin_particles() {
     }
   });
   Kokkos::deep_copy(body_.particles().velocity, v);
+  if (body_.particles_carry_gradients()) carry_gradient(from_);
 }
 
 /// The motion of the nodes as the mass-weighted mean of that of the particles.
 void Inertia::find_nodal_motion() {
-  body_.find_nodal_means(from_, body_.particles().velocity, velocity_);
+  find_nodal_velocities();
   body_.find_nodal_means(from_, body_.particles().acceleration, acceleration_);
+}
+
+/// With gradients, v_I = sum_p m_p N_I (v_p + G_p (x_I - x_p)) / m_I: from the means of v_p - G_p x_p
+/// and of the columns of G_p.
+void Inertia::find_nodal_velocities() {
+  const auto& particles = body_.particles();
+  if (!body_.particles_carry_gradients()) {
+    body_.find_nodal_means(from_, particles.velocity, velocity_);
+    return;
+  }
+  const grid::Partition& partition = body_.halo().partition();
+  const grid::Box owned = partition.owned_nodes(body_.communicator().rank());
+  const NodeView field("velocity", particles.volume.extent(0));
+  const auto x = particles.position, v = particles.velocity;
+  const auto G = particles.velocity_gradient;
+  const auto [o_x, o_y, o_z] = partition.grid().origin;
+  const Kokkos::Array<double, 3> origin{o_x, o_y, o_z};
+  for_each_number(
+      "velocity at the origin", field.extent(0), KOKKOS_LAMBDA(const int p, const int c) {
+        field(p, c) = v(p, c);
+        for (int d = 0; d < 3; ++d) field(p, c) -= G(p, c, d) * (x(p, d) - origin[d]);
+      });
+  body_.find_nodal_means(from_, field, velocity_);
+  grid::Vector column(velocity_.getMap());
+  for (int d = 0; d < 3; ++d) {
+    for_each_number(
+        "column of gradients", field.extent(0),
+        KOKKOS_LAMBDA(const int p, const int c) { field(p, c) = G(p, c, d); });
+    body_.find_nodal_means(from_, field, column);
+    const auto rate = column.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto sum = velocity_.getLocalViewHost(Tpetra::Access::ReadWrite);
+    grid::for_each_index(owned, [&](const grid::Index3& node) {
+      const double distance = partition.grid().node_position(node)[d] - origin[d];
+      for (int c = 0; c < 3; ++c) {
+        const auto n = static_cast<std::size_t>(3 * owned.local(node) + c);
+        sum(n, 0) += rate(n, 0) * distance;
+      }
+    });
+  }
 }
 
 /// Adds to a vector of the particles what nodal values carry.
@@ -154,6 +194,16 @@ grid::NodeView Inertia::carried_by(const grid::Vector& nodal) const {
   const NodeView field("carried", body_.particles().volume.extent(0));
   carry(nodal, field);
   return field;
+}
+
+/// Sets the particles' velocity gradients to those of the nodes at a displacement.
+void Inertia::carry_gradient(const grid::Vector& u) const {
+  auto points = body_.points(u);
+  const NodeView displacement("u", points.displacement.extent(0));
+  Kokkos::deep_copy(displacement, points.displacement);
+  points.displacement = displacement;
+  body_.kernels().gradient_at_particles(points, body_.halo().gather(velocity_),
+                                        body_.particles().velocity_gradient);
 }
 
 void Inertia::go_from(const grid::Vector& u) {
@@ -292,6 +342,7 @@ void Inertia::arrive(double load, const grid::Vector& u) {
     grid::Vector gained(velocity_, Teuchos::Copy);
     gained.update(-1.0, before, 1.0);
     carry(gained, particles.velocity);
+    carry_gradient(u);
     Kokkos::deep_copy(particles.acceleration, 0.0);
     carry(acceleration_, particles.acceleration);
   }

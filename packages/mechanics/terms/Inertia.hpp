@@ -15,8 +15,9 @@ namespace stroma::mechanics {
 /// scheme (TimeScheme) over the step from the last accepted state, whose motion this term keeps:
 ///
 /// - with lumped masses at the nodes; on a grid that is reset, particles carry it from grid to grid:
-///   a node's is the mass-weighted mean of its particles', and particles take the change of
-///   velocity, and the acceleration, from the nodes (FLIP);
+///   a node's is the mass-weighted mean of what its particles' linear fields have there, and
+///   particles take the change of velocity, its gradient and the acceleration from the nodes (affine
+///   FLIP);
 /// - with the consistent mass at the particles, whose motion obeys the scheme one by one. So no mass
 ///   matrix is inverted, whatever becomes of the grid, and the midpoint rule keeps momentum and
 ///   angular momentum to rounding.
@@ -86,11 +87,13 @@ class Inertia : public Term {
   void weigh();
   void begin_particles();
   void find_nodal_motion();
+  void find_nodal_velocities();
   void prescribe(double end);
   void carry_idle_nodes(double dt, const grid::Vector& change);
   void go_from(const grid::Vector& u);
   NodeView carried_by(const grid::Vector& nodal) const;
   void carry(const grid::Vector& nodal, const NodeView& field) const;
+  void carry_gradient(const grid::Vector& u) const;
   void nodal_force(const TrialState& state, grid::Vector& force) const;
   void particle_force(const TrialState& state, grid::Vector& force) const;
   void add_stiffness_damping(const TrialState& state, grid::Vector& force) const;

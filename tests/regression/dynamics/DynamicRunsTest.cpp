@@ -79,6 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"Consistent", "", ", Mass: Consistent, Scheme: Generalised Alpha"},
         Variant{"Damped", "", ", \"Mass Damping [1/s]\": 1000, \"Stiffness Damping [s]\": 1.0e-6"},
         Variant{"Reset", ", Reset: true, Shape Functions: GIMP", ", Scheme: Generalised Alpha"},
+        Variant{"ConsistentReset", ", Reset: true, Shape Functions: GIMP", ", Mass: Consistent"},
         Variant{"ResetOfSplines", ", Reset: true, Shape Functions: Quadratic B-Spline", ""}),
     [](const auto& one) { return one.param.name; });
 

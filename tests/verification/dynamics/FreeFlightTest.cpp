@@ -34,17 +34,18 @@ std::array<double, 6> momenta(const mechanics::MovingBody& body, const grid::Vec
   return sums;
 }
 
-/// A block of two materials that flies through 20 elements while it turns by 90 degrees, in 40 steps.
-test::Specimen flying(bool lumped, bool spins) {
+/// A block of two materials that flies through 20 elements while it turns by 90 degrees, in 40 steps;
+/// or as far as fewer of these steps take it.
+test::Specimen flying(bool lumped, bool spins, int steps = 40) {
   test::Specimen specimen;
   specimen.elements = {4, 4, 4};
   specimen.label = test::crossing_bars;
   specimen.reset = true;
   specimen.stabilization = 0.01;
   specimen.density = {1000.0, 1100.0};
-  specimen.duration = 1e-4;
-  const double speed = 20 * 2.1 / specimen.duration;
-  const double spin = spins ? 0.5 * std::acos(-1.0) / specimen.duration : 0.0;
+  specimen.duration = 2.5e-6 * steps;
+  const double speed = 20 * 2.1 / 1e-4;
+  const double spin = spins ? 0.5 * std::acos(-1.0) / 1e-4 : 0.0;
   mechanics::Dynamics dynamics;
   dynamics.lumped = lumped;
   dynamics.scheme = mechanics::TimeScheme::generalised_alpha(1.0);
@@ -56,7 +57,7 @@ test::Specimen flying(bool lumped, bool spins) {
 }
 
 /// The largest departures of momentum and of angular momentum, over their sizes.
-std::array<double, 2> departures(const test::Specimen& specimen) {
+std::array<double, 2> departures(const test::Specimen& specimen, int steps = 40) {
   mechanics::MovingBody body = specimen.moving_body(base::Communicator::world());
   const std::array<double, 6> at_start = momenta(body, body.displacement());
   std::array<double, 2> worst{}, sizes{};
@@ -64,13 +65,17 @@ std::array<double, 2> departures(const test::Specimen& specimen) {
   solver::SolverParameters exact = test::to_rounding();
   exact.preconditioner = solver::PreconditionerKind::jacobi;
   exact.newton_tolerance = 1e-11;
-  test::take_steps(body, 40, exact, [&](double, const grid::Vector& u) {
+  test::take_steps(body, steps, exact, [&](double, const grid::Vector& u) {
     const std::array<double, 6> now = momenta(body, u);
     for (std::size_t n = 0; n < 6; ++n)
       worst[n / 3] = std::max(worst[n / 3], std::abs(now[n] - at_start[n]) / sizes[n / 3]);
   });
   return worst;
 }
+
+constexpr shape::ShapeFunctions spinning_shapes[] = {
+    shape::ShapeFunctions::linear, shape::ShapeFunctions::gimp, shape::ShapeFunctions::cpdi,
+    shape::ShapeFunctions::quadratic_b_spline};
 
 class FreeFlight : public ::testing::TestWithParam<test::ShapeChoice> {};
 
@@ -85,10 +90,12 @@ TEST_P(FreeFlight, KeepsMomentumWithLumpedMasses) {
 
 // The consistent mass and the midpoint rule keep both also while it spins.
 TEST(FreeFlightOfTheConsistentMass, KeepsAngularMomentum) {
-  for (const auto shape : {shape::ShapeFunctions::linear, shape::ShapeFunctions::cpdi}) {
-    test::Specimen specimen = flying(false, true);
+  for (const auto shape : spinning_shapes) {
+    const bool takes_long = shape == shape::ShapeFunctions::quadratic_b_spline;
+    const int steps = takes_long ? 8 : 40;
+    test::Specimen specimen = flying(false, true, steps);
     specimen.shape_functions = shape;
-    const auto worst = departures(specimen);
+    const auto worst = departures(specimen, steps);
     EXPECT_LT(worst[0], 1e-10);
     EXPECT_LT(worst[1], 1e-10);
   }
@@ -97,15 +104,17 @@ TEST(FreeFlightOfTheConsistentMass, KeepsAngularMomentum) {
 INSTANTIATE_TEST_SUITE_P(Shapes, FreeFlight, ::testing::ValuesIn(test::shape_choices()),
                          [](const auto& choice) { return choice.param.name; });
 
-// What lumping costs: the angular momentum of a body that spins.
-TEST(FreeFlightOfLumpedMasses, LosesAngularMomentum) {
-  test::Specimen specimen = flying(true, true);
-  specimen.shape_functions = shape::ShapeFunctions::gimp;
-  const auto worst = departures(specimen);
-  EXPECT_LT(worst[0], 1e-10);
-  EXPECT_LT(worst[1], 0.5);
-  EXPECT_GT(worst[1], 1e-6);
-  std::printf("  %.3g of the angular momentum\n", worst[1]);
+// Lumped masses keep the momentum of a body that spins, and its angular momentum but for what the
+// grid's own moment of inertia changes by with its strain: without the velocities' gradients 1 %.
+TEST(FreeFlightOfLumpedMasses, KeepsNearlyAllAngularMomentum) {
+  for (const auto shape : spinning_shapes) {
+    test::Specimen specimen = flying(true, true);
+    specimen.shape_functions = shape;
+    const auto worst = departures(specimen);
+    EXPECT_LT(worst[0], 1e-10);
+    EXPECT_LT(worst[1], 2e-4);
+    std::printf("  %.3g of the angular momentum\n", worst[1]);
+  }
 }
 
 }  // namespace
