@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// Pressure in a label, against Lame's solutions for a tube and a hollow ball, and its derivatives.
-/// Claims V-PRESS-1, V-PRESS-2 and V-PRESS-3, docs/verification.md.
+/// Pressure in a label, against Lame's solutions for a tube, a hollow ball and a hole in a block, and
+/// its derivatives. Claims V-PRESS-1, V-PRESS-2, V-PRESS-3 and V-PRESS-4, docs/verification.md.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "stroma/mechanics/problem/VectorField.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
 
@@ -114,6 +115,52 @@ TEST(Pressure, WidensAHollowBallAsLameSays) {
     std::printf("  %d elements: %.2e\n", elements, error);
     EXPECT_LT(error, 0.85 * before);
     before = error;
+  }
+}
+
+/// A condition that moves a face by Lame's displacement about a hole of pressure in an infinite solid,
+/// u = A X / |X|^3, exact at the nodes of a lattice of so many elements.
+mechanics::BoundaryCondition moved_as_lame_says(Face face, std::int64_t elements, double A) {
+  const double h = outer / static_cast<double>(elements);
+  const std::int64_t n = elements + 1;
+  mechanics::VectorField::Block block{{{0, 0, 0}, {n, n, n}}, {}};
+  grid::for_each_index(grid::Box{{0, 0, 0}, {n, n, n}}, [&](const grid::Index3& node) {
+    std::array<double, 3> X{};
+    for (std::size_t d = 0; d < 3; ++d) X[d] = h * static_cast<double>(node[d]);
+    const double r = std::max(std::hypot(X[0], X[1], X[2]), 0.5 * h);
+    for (std::size_t d = 0; d < 3; ++d) block.values[d].push_back(A * X[d] / (r * r * r));
+  });
+  mechanics::BoundaryCondition condition;
+  condition.face = face;
+  condition.components = "xyz";
+  condition.images.emplace();
+  condition.field = std::make_shared<mechanics::VectorField>(
+      "Lame", mechanics::VoxelLattice{{n, n, n}, {h, h, h}, {-0.5 * h, -0.5 * h, -0.5 * h}},
+      std::vector<mechanics::VectorField::Block>{block}, A / (outer * outer));
+  return condition;
+}
+
+// u(r) = p a^3 / (4 mu r^2), in a block of four of the hole's radii whose outer faces move as they
+// would in a solid without end. The hole's steps shrink with the voxels.
+TEST(Pressure, WidensAHoleInABlockAsLameSays) {
+  const double p = 1e-3 * mu;
+  for (const int elements : {24, 32, 48, 64}) {
+    test::Specimen block = hollow(true, elements, p);
+    const double h = outer / elements;
+    block.label = [h](const grid::Index3& voxel) {
+      const auto at = [&](std::size_t d) {
+        return 0.5 * h * (static_cast<double>(voxel[d]) + 0.5);
+      };
+      return std::hypot(at(0), at(1), at(2)) < 0.25 * outer ? 1 : 0;
+    };
+    const double hole = 8.0 * std::pow(outer, 3) / ratio_of_volumes(block);  // 4/3 pi a^3
+    const double A = p / (4.0 * mu) * hole * 0.75 / std::acos(-1.0);
+    for (const Face face : {Face::x_upper, Face::y_upper, Face::z_upper})
+      block.conditions.emplace_back("far" + std::to_string(static_cast<int>(face)),
+                                    moved_as_lame_says(face, elements, A));
+    const double error = std::abs(swelling(block) / (0.75 * p / mu) - 1.0);
+    std::printf("  %d elements: %.2e\n", elements, error);
+    EXPECT_LT(error, 0.36 / elements);
   }
 }
 
