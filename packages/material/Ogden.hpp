@@ -141,11 +141,11 @@ struct Ogden : Uncoupled {
 
   /// (h_a - h_b) / (exp(2 d) - 1), d = ln lambda_a - ln lambda_b.
   KOKKOS_INLINE_FUNCTION double divided_difference(const Stretches& at, int a, int b) const {
-    const double d = at.log[a] - at.log[b];
+    const double d = at.log[a] - at.log[b], difference = expm1(2.0 * d);
     double sum = 0.0;
     for (int i = 0; i < terms; ++i)
       sum += c[i] / m[i] * exp(m[i] * at.x[b]) *
-             (d == 0.0 ? 0.5 * m[i] : expm1(m[i] * d) / expm1(2.0 * d));
+             (d == 0.0 ? 0.5 * m[i] : expm1(m[i] * d) / difference);
     return sum;
   }
 };

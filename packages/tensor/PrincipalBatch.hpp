@@ -23,9 +23,11 @@ struct SymmetricBatch {
   }
 };
 
-/// One rotation of all eight, which makes the entries o = a_pq vanish; for the angle see
-/// principal_axes(). Without branches, so that it becomes vector instructions where math functions
-/// set no errno.
+/// One rotation of all eight, which makes the entries o = a_pq vanish,
+///
+///     tan t = sign(d) 2 o / (|d| + sqrt(d^2 + 4 o^2)),   d = q - p.
+///
+/// Without branches, so that it becomes vector instructions where math functions set no errno.
 ///
 /// \param p, q    entries a_pp, a_qq
 /// \param o       entries a_pq
@@ -45,9 +47,8 @@ inline void rotate(double* p, double* q, double* o, double* rp, double* rq) {
   }
 }
 
-/// The entries on the diagonal become the principal values, descending, by the rotations of
-/// principal_axes(), until no entry beside it counts in any of the tensors: an error of a few eps
-/// ||a||.
+/// The entries on the diagonal become the principal values, descending, by cyclic Jacobi rotations,
+/// until no entry beside it counts in any of the tensors: an error of a few eps ||a||.
 inline void find_principal_values(SymmetricBatch& batch) {
   constexpr int max_sweeps = 12;
   constexpr double eps = 2.220446049250313e-16;

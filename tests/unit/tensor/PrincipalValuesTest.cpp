@@ -55,6 +55,26 @@ TEST(PrincipalValues, AreExactToRoundingWhetherRepeatedOrNot) {
   }
 }
 
+// Axes of values that are far apart, nearly equal and equal: unit vectors across each other, of which
+// the tensor can be made again.
+TEST(PrincipalAxes, AreOrthonormalAndMakeTheTensor) {
+  for (const double apart : {1.0, 1e-4, 1e-8, 1e-12, 1e-16, 0.0})
+    for (const double angle : {0.0, 1e-9, 0.3, 1.0, 2.5, 3.14159265358979}) {
+      const Tensor3 R = rotation(angle);
+      const Tensor3 a = R * Tensor3{{{2, 0, 0}, {0, 2 + apart, 0}, {0, 0, -1}}} * transpose(R);
+      const tensor::PrincipalAxes found = tensor::principal_axes(a);
+      const Tensor3 values{
+          {{found.value[0], 0, 0}, {0, found.value[1], 0}, {0, 0, found.value[2]}}};
+      const Tensor3 again = found.axes * values * transpose(found.axes);
+      const Tensor3 one = found.axes * transpose(found.axes);
+      for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) {
+          EXPECT_NEAR(one(i, j), i == j ? 1.0 : 0.0, rounding) << apart << ", angle " << angle;
+          EXPECT_NEAR(again(i, j), a(i, j), 3.0 * rounding) << apart << ", angle " << angle;
+        }
+    }
+}
+
 TEST(PrincipalValues, OfZeroAreZero) {
   const auto values = tensor::principal_values(Tensor3{});
   for (int i = 0; i < 3; ++i) EXPECT_EQ(values(i), 0.0);
