@@ -82,6 +82,7 @@ TEST(Memory, ALimitOfTheAddressSpaceCounts) {
 struct Kind {
   const char* name;
   const char* overrides;
+  int steps = 1;
 };
 
 const Kind kinds[] = {
@@ -89,7 +90,13 @@ const Kind kinds[] = {
     {"many particles", "--set 'Image|Phantom|Size=[32,32,32]' --set 'Particles|Per Voxel=5'"},
     {"GIMP", "--set 'Image|Phantom|Size=[40,40,40]' --set 'Grid|Shape Functions=GIMP'"},
     {"quadratic",
-     "--set 'Image|Phantom|Size=[24,24,24]' --set 'Grid|Shape Functions=Quadratic B-Spline'"}};
+     "--set 'Image|Phantom|Size=[24,24,24]' --set 'Grid|Shape Functions=Quadratic B-Spline'"},
+    {"reset, with inertia",
+     "--set 'Image|Phantom|Size=[24,24,24]' --set 'Particles|Per Voxel=3' --set 'Grid|Reset=true'"
+     " --set 'Loading|Inertia=true' --set 'Loading|Duration [s]=1e-3'"
+     " --set 'Materials|collagen|Density [kg/m^3]=1000'"
+     " --set 'Materials|vessel|Density [kg/m^3]=1000'",
+     3}};
 
 TEST(Memory, TheEstimateIsWhatRunsTake) {
   const TemporaryFolder folder;
@@ -97,8 +104,8 @@ TEST(Memory, TheEstimateIsWhatRunsTake) {
     for (int ranks = 1; ranks <= (&kind == kinds ? 2 : 1); ++ranks) {
       SCOPED_TRACE(std::string(kind.name) + ", ranks " + std::to_string(ranks));
       const std::string arguments =
-          quoted(deck) +
-          " --set 'Loading|Steps=1' --set 'Boundary Conditions|top|Strain=0.01'"
+          quoted(deck) + " --set 'Loading|Steps=" + std::to_string(kind.steps) +
+          "' --set 'Boundary Conditions|top|Strain=0.01'"
           " --set 'Solver|Newton Tolerance=1e-3' --set 'Output|Pictures=false' " +
           kind.overrides;
       const Outcome check = run_stroma(folder.path(), "check " + arguments, ranks);
