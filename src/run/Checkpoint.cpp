@@ -122,16 +122,8 @@ std::vector<std::pair<std::string, mechanics::LoadCurve>> curves_of(const DeckPa
     if (!is_still(condition)) curves.emplace_back("Boundary Conditions|" + name, condition.curve);
   for (const auto& [name, force] : p.external_forces.forces)
     curves.emplace_back("External Forces|" + name, force.curve);
-  for (const auto& [name, material] : p.materials.materials) {
-    if (material::is_pressure(material))
-      curves.emplace_back("Materials|" + name, curve_named(p, material.load_curve));
-    if (material.active_stress)
-      curves.emplace_back("Materials|" + name + "|Active Stress",
-                          curve_named(p, material.active_stress->load_curve));
-    if (material.growth)
-      curves.emplace_back("Materials|" + name + "|Growth",
-                          curve_named(p, material.growth->load_curve));
-  }
+  for (const auto& [section, name] : curves_of_materials(p))
+    curves.emplace_back(section, curve_named(p, name));
   return curves;
 }
 

@@ -35,6 +35,19 @@ mechanics::LoadCurve curve_named(const DeckParameters& p, const std::optional<st
   return {};
 }
 
+std::vector<std::pair<std::string, std::optional<std::string>>> curves_of_materials(
+    const DeckParameters& p) {
+  std::vector<std::pair<std::string, std::optional<std::string>>> curves;
+  for (const auto& [name, material] : p.materials.materials) {
+    const std::string section = "Materials|" + name;
+    if (material::is_pressure(material)) curves.emplace_back(section, material.load_curve);
+    if (material.active_stress)
+      curves.emplace_back(section + "|Active Stress", material.active_stress->load_curve);
+    if (material.growth) curves.emplace_back(section + "|Growth", material.growth->load_curve);
+  }
+  return curves;
+}
+
 bool asks_for_stiffness(const DeckParameters& p) {
   return p.rig && p.rig->kind == mechanics::stiffness_rig;
 }
@@ -87,12 +100,7 @@ void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& finding
   if (p.rig) look_for("Rig", p.rig->load_curve);
   for (const auto& [name, force] : p.external_forces.forces)
     look_for("External Forces|" + name, force.load_curve);
-  for (const auto& [name, material] : p.materials.materials) {
-    look_for("Materials|" + name, material.load_curve);
-    if (material.active_stress)
-      look_for("Materials|" + name + "|Active Stress", material.active_stress->load_curve);
-    if (material.growth) look_for("Materials|" + name + "|Growth", material.growth->load_curve);
-  }
+  for (const auto& [section, name] : curves_of_materials(p)) look_for(section, name);
 }
 
 void refuse_viscosity_without_time(const DeckParameters& p, deck::Findings& findings) {

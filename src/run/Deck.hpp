@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stroma/base/Error.hpp"
@@ -47,6 +48,11 @@ struct DeckParameters {
 /// The load curve of a name; without a name the load itself.
 mechanics::LoadCurve curve_named(const DeckParameters& parameters,
                                  const std::optional<std::string>& name);
+
+/// What of a deck's materials follows the load, active stress, growth and pressures: the section and
+/// the name of its load curve, if it has one.
+std::vector<std::pair<std::string, std::optional<std::string>>> curves_of_materials(
+    const DeckParameters& parameters);
 
 /// Whether the deck asks for a stiffness (Rig|Kind = Stiffness) instead of load steps.
 bool asks_for_stiffness(const DeckParameters& parameters);
