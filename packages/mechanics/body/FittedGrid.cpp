@@ -13,13 +13,13 @@
 namespace stroma::mechanics {
 namespace {
 
-/// By which factor the size of elements may depart from the asked-for one.
-constexpr double most_stretched = 1.25;
-
-std::int64_t elements_between(double length, double asked_size, std::int64_t last_count) {
+/// \param most  elements of the undeformed body
+std::int64_t elements_between(double length, double asked_size, std::int64_t last_count,
+                              std::int64_t most) {
+  constexpr double a_quarter = 1.25;
   const double stretch = length / (static_cast<double>(last_count) * asked_size);
-  if (stretch < most_stretched && stretch > 1.0 / most_stretched) return last_count;
-  return std::max<std::int64_t>(1, std::llround(length / asked_size));
+  if (stretch < a_quarter && stretch > 1.0 / a_quarter) return last_count;
+  return std::clamp<std::int64_t>(std::llround(length / asked_size), 1, most);
 }
 
 /// An end of the body along an axis.
@@ -52,7 +52,8 @@ void fit_axis(double load, std::int64_t last_count, int d, const End& lower, con
     if (!(length > 0.0))
       throw base::RunError(base::format(
           "at load %.6g the body's faces across %c have met or passed each other", load, "xyz"[d]));
-    lattice.elements[i] = elements_between(length, lattice.spacing[i], last_count);
+    lattice.elements[i] =
+        elements_between(length, lattice.spacing[i], last_count, lattice.elements[i]);
     lattice.spacing[i] = length / static_cast<double>(lattice.elements[i]);
     lattice.origin[i] = lower.place;
   } else if (lower.is_plane) {

@@ -14,7 +14,8 @@ namespace stroma::mechanics {
 /// The grid that a body is given when its grid is reset. Along each axis it has n elements of size
 /// L/n between the body's ends, L apart, so that none is barely filled there. The number is that of
 /// the step before while sizes stay within a quarter of the asked-for one, h/1.25 <= L/n <= 1.25 h;
-/// else the nearest to L/h. The body ends
+/// else the nearest to L/h, but no more than in the undeformed body: more would have fewer particles
+/// than integrate them, and are drawn out instead. The body ends
 ///
 /// - at a face that nodes keep a plane (Problem::is_kept_plane): there;
 /// - at another face: where the boxes end that its outermost particles stand for.
