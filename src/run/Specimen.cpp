@@ -71,6 +71,13 @@ bool has_volume_forces(const mechanics::NamedForces& forces) {
                      [](const auto& named) { return !named.second.traction; });
 }
 
+/// Hats have kinks at the faces of elements, which particles cross.
+std::string crossing_note(const mechanics::GridParameters& p) {
+  if (!p.reset || p.shape_functions != shape::ShapeFunctions::linear) return "";
+  return "Shape Functions = Linear on a grid that is reset: where particles cross the faces of "
+         "elements, forces fall by some per cent and stresses scatter; GIMP and CPDI do without";
+}
+
 }  // namespace
 
 SpecimenImage read_image(const base::Communicator& communicator, const Deck& deck) {
@@ -138,6 +145,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
   const std::string locking = mechanics::locking_note(p.grid, of_volume);
   if (!locking.empty()) specimen.notes.push_back(locking);
+  const std::string crossing = crossing_note(p.grid);
+  if (!crossing.empty()) specimen.notes.push_back(crossing);
   specimen.fields = std::move(own.ranges);
   for (std::string& note : own.notes) specimen.notes.push_back(std::move(note));
   specimen.own_numbers = std::move(own.which);
