@@ -39,9 +39,10 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   condition.optional("Axis", &BoundaryCondition::axis, deck::any(),
                      "Direction of the axis of Rotation [deg], of any length. Without it: the "
                      "face's axis (x, y or z).");
-  condition.optional("Center [um]", &BoundaryCondition::center, deck::any(),
-                     "A point on the axis of Rotation [deg]. Without it: the middle of the body's "
-                     "box.");
+  condition.optional(
+      "Center [um]", &BoundaryCondition::center, deck::any(),
+      "A point on the axis of Rotation [deg], from the corner of the whole image, with "
+      "Image|Region, too. Without it: the middle of the body's box.");
   condition.choice("Imposed By", &BoundaryCondition::imposed_by, ways_of_imposing(),
                    "Nodes: the nodes of the face are moved; with Grid|Reset, the face must stay a "
                    "plane across its axis (its normal displacement is prescribed, the same "

@@ -40,7 +40,8 @@ deck::Section<GridParameters> grid_section() {
        {"Element Mean", DilatationChoice::element_mean}},
       "The change of volume that a particle resists: its own, or the mean over the particles of "
       "its element. Element Mean keeps nearly incompressible materials from locking, which makes "
-      "them far too stiff; B-splines lock little without it (docs/theory.md). Automatic: Element "
+      "them far too stiff (with GIMP and CPDI on few elements a part of that is left); B-splines "
+      "lock little without it (docs/theory.md). Automatic: Element "
       "Mean for Linear, GIMP and CPDI where the Poisson ratio of any material is above 0.45, else, "
       "with Deformation Gradient = Projected Displacement, and beside a law without an energy "
       "of volume, Pointwise.");

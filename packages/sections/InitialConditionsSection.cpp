@@ -18,8 +18,8 @@ deck::Section<InitialConditionsParameters> initial_conditions_section() {
       "w, 0, 0, 0, 0, 0}.");
   condition.optional(
       "Center [um]", &InitialCondition::center, deck::any(),
-      "The point that Velocity Gradient [1/s] leaves at rest. Without it: the middle "
-      "of the body's box.");
+      "The point that Velocity Gradient [1/s] leaves at rest, from the corner of the whole image, "
+      "with Image|Region, too. Without it: the middle of the body's box.");
   condition.section(vector_images_section(
                         "Velocity Images",
                         "Velocity in um/s by images of its components: at each point of the body "

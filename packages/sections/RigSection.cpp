@@ -140,7 +140,8 @@ deck::Section<RigParameters> rig_section() {
   section.optional("Angle [deg]", &RigParameters::angle, deck::any(),
                    "Of Torsion: angle at full load, right-handed about the axis x, y or z.");
   section.optional("Center [um]", &RigParameters::center, deck::any(),
-                   "Of Torsion: a point on the axis. Without it: the middle of the body's box.");
+                   "Of Torsion: a point on the axis, from the corner of the whole image, with "
+                   "Image|Region, too. Without it: the middle of the body's box.");
   section.optional("Boundary", &RigParameters::boundary, deck::one_of(names_of_boundaries()),
                    "Of Stiffness: what is uniform on the surface, one or more. Displacement gives "
                    "the stiffest tensor, Traction the softest, and cannot be where empty space "

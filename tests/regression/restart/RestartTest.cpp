@@ -136,6 +136,29 @@ TEST(Restart, AFinishedRunHasNothingLeftToDo) {
   EXPECT_EQ(run_stroma(folder.path(), "run gel.yaml --quiet").status, 0) << "its files are its own";
 }
 
+// V-RESTART-6.
+TEST(Restart, SpringsThatPullOnAreVerified) {
+  const TemporaryFolder folder;
+  const std::string deck = R"(
+Stroma:
+  Image:
+    Phantom: {Kind: Uniform, Size: [8, 8, 8], "Voxel Size [um]": [1, 1, 1]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
+  Grid: {Elements: [4, 4, 4], Shape Functions: GIMP, Reset: true}
+  Loading: {Steps: 3}
+  Output: {Pictures: false, Report: false}
+  Rig: )";
+  for (const std::string rig :
+       {"{Kind: Clamped Extension, Face: y+, Strain: 0.3, Imposed By: Penalty}",
+        "{Kind: Simple Shear, Face: y+, Direction: x, Strain: 0.3, Sides: Sheared}"}) {
+    run_deck(folder, "gel", deck + rig + "\n");
+    const Outcome verdict = run_stroma(folder.path(), "verify gel");
+    EXPECT_EQ(verdict.status, 0) << verdict.standard_output << verdict.standard_error;
+    EXPECT_NE(verdict.standard_output.find("solved anew"), std::string::npos);
+  }
+}
+
 // V-RESTART-2.
 TEST(Restart, ATimeLimitLeavesACheckpoint) {
   const TemporaryFolder folder;
