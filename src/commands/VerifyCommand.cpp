@@ -142,6 +142,22 @@ void verify_files(const base::Communicator& communicator, const output::RunFiles
            up_to(last));
 }
 
+/// How far reactions are from those written, and the largest of these [pN].
+struct Departure {
+  double difference = 0.0, largest = 0.0;
+};
+Departure departure_of_reactions(const std::vector<std::array<double, 3>>& reactions,
+                                 const output::HistoryRow& row) {
+  Departure found;
+  for (std::size_t c = 0; c < reactions.size(); ++c)
+    for (std::size_t d = 0; d < 3; ++d) {
+      found.difference =
+          std::max(found.difference, std::fabs(reactions[c][d] - row.reactions[c][d]));
+      found.largest = std::max(found.largest, std::fabs(row.reactions[c][d]));
+    }
+  return found;
+}
+
 /// \param force  size of the forces [pN]
 void verify_torques(mechanics::MomentumBalance& balance, const grid::Vector& u,
                     const std::vector<double>& written, double force, Findings& findings) {
@@ -179,20 +195,16 @@ void verify_pulled(const Deck& deck, mechanics::MovingBody& body, const RunState
     findings.tell("equilibrium", false, rejected.what());
     return;
   }
-  double difference = 0.0, largest = state.newton.largest_force;
-  const auto reactions = balance.reactions(anew);
-  for (std::size_t c = 0; c < reactions.size(); ++c)
-    for (std::size_t d = 0; d < 3; ++d) {
-      difference = std::max(difference, std::fabs(reactions[c][d] - row.reactions[c][d]));
-      largest = std::max(largest, std::fabs(row.reactions[c][d]));
-    }
+  const Departure reactions = departure_of_reactions(balance.reactions(anew), row);
+  const double largest = std::max(state.newton.largest_force, reactions.largest);
   anew.update(-1.0, body.displacement(), 1.0);
   const double moved = anew.normInf(), farthest = std::max(body.displacement().normInf(), moved);
   findings.tell(
       "equilibrium", moved <= stays * farthest,
       format("springs that pull on: solved anew, it moves by %.1e of the displacement, and "
              "reactions change by %.1e of the largest force",
-             farthest > 0.0 ? moved / farthest : 0.0, largest > 0.0 ? difference / largest : 0.0));
+             farthest > 0.0 ? moved / farthest : 0.0,
+             largest > 0.0 ? reactions.difference / largest : 0.0));
 }
 
 /// Whether what supports and loads do to the body is in balance, as it was when it was solved.
@@ -214,16 +226,10 @@ void verify_forces(const Deck& deck, mechanics::MomentumBalance& balance, const 
         "equilibrium", inverted == 0 && relative <= allowed,
         format("residual %.2e of the forces, %.2e when it was solved", relative, row.residual));
 
-  const auto reactions = balance.reactions(u);
-  double difference = 0.0, largest = 0.0;
-  for (std::size_t c = 0; c < reactions.size(); ++c)
-    for (std::size_t d = 0; d < 3; ++d) {
-      difference = std::max(difference, std::fabs(reactions[c][d] - row.reactions[c][d]));
-      largest = std::max(largest, std::fabs(row.reactions[c][d]));
-    }
-  findings.tell(
-      "reactions", difference <= rounding * std::max(largest, force),
-      format("differ by %.1e of the largest", largest > 0.0 ? difference / largest : 0.0));
+  const Departure reactions = departure_of_reactions(balance.reactions(u), row);
+  findings.tell("reactions", reactions.difference <= rounding * std::max(reactions.largest, force),
+                format("differ by %.1e of the largest",
+                       reactions.largest > 0.0 ? reactions.difference / reactions.largest : 0.0));
 
   verify_torques(balance, u, row.torques, force, findings);
 }

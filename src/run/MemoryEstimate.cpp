@@ -102,7 +102,7 @@ MemoryEstimate estimate_memory(const DeckParameters& parameters, const Counts& c
   const bool carry_motion = parameters.loading.inertia &&
                             (resets || parameters.loading.mass == solver::MassMatrix::consistent);
   const bool carry_gradients =
-      parameters.loading.inertia && resets && parameters.loading.mass == solver::MassMatrix::lumped;
+      carry_motion && parameters.loading.mass == solver::MassMatrix::lumped;
   const double kept =
       remembered +
       (carry_motion ? bytes_of_particle({Presence::where_particles_carry_motion}) : 0.0) +
