@@ -84,8 +84,9 @@ KOKKOS_INLINE_FUNCTION PlaneWave softest_wave(const material::FullTangent& tange
     for (int i = 0; i < 3; ++i) softest.n[i] = directions[d].n[i];
     softest.modulus = modulus;
   }
-  constexpr double coarse = 0.2, fine = 1e-4;  // angles [rad]
-  for (double step = coarse; step > fine; step *= 0.5)
+  constexpr int halvings = 11;
+  double step = 0.2;  // angle [rad], at last 1e-4
+  for (int halving = 0; halving < halvings; ++halving, step *= 0.5)
     for (int axis = 0; axis < 3; ++axis)
       for (const double sense : {step, -step}) {
         PlaneWave next = softest;
