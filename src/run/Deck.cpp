@@ -48,6 +48,19 @@ std::vector<std::pair<std::string, std::optional<std::string>>> curves_of_materi
   return curves;
 }
 
+std::vector<std::pair<std::string, std::optional<std::string>>> curves_asked_for(
+    const DeckParameters& p) {
+  std::vector<std::pair<std::string, std::optional<std::string>>> curves;
+  for (const auto& [name, condition] : p.boundary_conditions.conditions)
+    curves.emplace_back("Boundary Conditions|" + name, condition.load_curve);
+  if (p.rig) curves.emplace_back("Rig", p.rig->load_curve);
+  for (const auto& [name, force] : p.external_forces.forces)
+    curves.emplace_back("External Forces|" + name, force.load_curve);
+  const auto of_materials = curves_of_materials(p);
+  curves.insert(curves.end(), of_materials.begin(), of_materials.end());
+  return curves;
+}
+
 bool asks_for_stiffness(const DeckParameters& p) {
   return p.rig && p.rig->kind == mechanics::stiffness_rig;
 }
@@ -95,12 +108,7 @@ void refuse_unknown_load_curves(const DeckParameters& p, deck::Findings& finding
                  "there is no \"" + *name + "\" among the Load Curves" +
                      (known.empty() ? ", of which there are none" : "; admissible: " + known));
   };
-  for (const auto& [name, condition] : p.boundary_conditions.conditions)
-    look_for("Boundary Conditions|" + name, condition.load_curve);
-  if (p.rig) look_for("Rig", p.rig->load_curve);
-  for (const auto& [name, force] : p.external_forces.forces)
-    look_for("External Forces|" + name, force.load_curve);
-  for (const auto& [section, name] : curves_of_materials(p)) look_for(section, name);
+  for (const auto& [section, name] : curves_asked_for(p)) look_for(section, name);
 }
 
 void refuse_viscosity_without_time(const DeckParameters& p, deck::Findings& findings) {

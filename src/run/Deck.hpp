@@ -54,6 +54,11 @@ mechanics::LoadCurve curve_named(const DeckParameters& parameters,
 std::vector<std::pair<std::string, std::optional<std::string>>> curves_of_materials(
     const DeckParameters& parameters);
 
+/// What of a deck may follow a load curve, materials, conditions and forces alike: the section and the
+/// name of its curve, if it has one.
+std::vector<std::pair<std::string, std::optional<std::string>>> curves_asked_for(
+    const DeckParameters& parameters);
+
 /// Whether the deck asks for a stiffness (Rig|Kind = Stiffness) instead of load steps.
 bool asks_for_stiffness(const DeckParameters& parameters);
 

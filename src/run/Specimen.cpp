@@ -9,6 +9,7 @@
 #include "run/MeasuredFields.hpp"
 #include "run/MemoryEstimate.hpp"
 #include "run/OwnNumbers.hpp"
+#include "run/WithoutEffect.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/base/Stage.hpp"
@@ -147,6 +148,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   if (!locking.empty()) specimen.notes.push_back(locking);
   const std::string crossing = crossing_note(p.grid);
   if (!crossing.empty()) specimen.notes.push_back(crossing);
+  for (std::string& note : notes_without_effect(p)) specimen.notes.push_back(std::move(note));
   specimen.fields = std::move(own.ranges);
   for (std::string& note : own.notes) specimen.notes.push_back(std::move(note));
   specimen.own_numbers = std::move(own.which);

@@ -2,9 +2,11 @@
 
 /// \file
 /// A run whose steps fail says what helps there, and what it says helps; `check` says it before for
-/// a contrast of moduli that single precision does not resolve.
+/// a contrast of moduli that single precision does not resolve, and for what a deck says without effect.
 
 #include <gtest/gtest.h>
+
+#include <fstream>
 
 #include "support/Program.hpp"
 
@@ -68,6 +70,37 @@ TEST(Advice, ContrastIsNotedWhereItMatters) {
   EXPECT_FALSE(is_noted(contrast + " --set 'Solver|Preconditioner=Multigrid'", "check "));
   EXPECT_FALSE(is_noted(contrast + " --set 'Grid|Shape Functions=GIMP'", "check "));
   EXPECT_FALSE(is_noted("", "check "));
+}
+
+TEST(Advice, WhatHasNoEffectIsNoted) {
+  const auto is_noted = [&](const std::string& settings, const std::string& what) {
+    const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, "check ");
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    return outcome.standard_output.find("note: " + what + " has no effect") != std::string::npos;
+  };
+  const std::string per_element = " --set 'Particles|Per Element=3'";
+  EXPECT_TRUE(is_noted(per_element, "Particles|Per Element"));
+  EXPECT_FALSE(
+      is_noted(per_element + " --set 'Particles|Layout=Per Element'", "Particles|Per Element"));
+  EXPECT_TRUE(is_noted(" --set 'Particles|Per Voxel=2' --set 'Particles|Layout=Gauss'",
+                       "Particles|Per Voxel"));
+  const std::string undeformed = " --set 'Grid|Particle Domain=Undeformed' --set 'Grid|Reset=true'";
+  EXPECT_TRUE(is_noted(undeformed, "Grid|Particle Domain"));
+  EXPECT_FALSE(is_noted(undeformed + " --set 'Grid|Shape Functions=GIMP'", "Grid|Particle Domain"));
+  const auto with_a_curve = [&](const std::string& last) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "deck.yaml")
+        << std::ifstream(cases / "false_convergence/base.yaml").rdbuf() << last
+        << "  Load Curves:\n    slow:\n      Times [s]: [0, 1]\n      Values: [0, 1]\n";
+    return run_stroma(folder.path(), "check deck.yaml").standard_output;
+  };
+  const std::string note = "note: Load Curves|slow has no effect";
+  EXPECT_NE(with_a_curve("").find(note), std::string::npos);
+  const std::string followed = with_a_curve(
+      "  External Forces:\n    weight:\n      Body Force [pN/um^3]: [0, 0.1, 0]\n"
+      "      Load Curve: slow\n");
+  EXPECT_EQ(followed.find(note), std::string::npos);
+  EXPECT_NE(followed.find("ready to run"), std::string::npos) << followed;
 }
 
 }  // namespace

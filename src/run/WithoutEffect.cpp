@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "run/WithoutEffect.hpp"
+
+#include <algorithm>
+
+namespace stroma {
+
+std::vector<std::string> notes_without_effect(const DeckParameters& p) {
+  std::vector<std::string> notes;
+  const auto look_at = [&](bool has_none, const std::string& what, const std::string& read_with) {
+    if (has_none) notes.push_back(what + " has no effect: it is read with " + read_with + " only");
+  };
+  using particles::Layout;
+  const particles::ParticleParameters usual;
+  look_at(p.particles.layout != Layout::voxel_centers && p.particles.per_voxel != usual.per_voxel,
+          "Particles|Per Voxel", "Layout = Voxel Centers");
+  look_at(p.particles.layout != Layout::per_element && p.particles.per_element != usual.per_element,
+          "Particles|Per Element", "Layout = Per Element");
+  const bool follows = p.grid.reset && p.grid.shape_functions != shape::ShapeFunctions::linear;
+  look_at(!follows && p.grid.particle_domain != mechanics::GridParameters{}.particle_domain,
+          "Grid|Particle Domain", "Reset = true and Shape Functions other than Linear");
+  const auto asked_for = curves_asked_for(p);
+  for (const auto& curve : p.load_curves.curves)
+    look_at(std::none_of(asked_for.begin(), asked_for.end(),
+                         [&](const auto& asked) { return asked.second == curve.first; }),
+            "Load Curves|" + curve.first,
+            "a condition, a force or a material whose Load Curve it is");
+  return notes;
+}
+
+}  // namespace stroma

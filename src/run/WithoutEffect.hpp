@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// What a deck says without any effect on its run.
+
+#include <string>
+#include <vector>
+
+#include "run/Deck.hpp"
+
+namespace stroma {
+
+/// A note for each parameter that differs from its default but is read by nothing, since what would
+/// read it was not chosen, and for each load curve that nothing follows.
+std::vector<std::string> notes_without_effect(const DeckParameters& parameters);
+
+}  // namespace stroma
