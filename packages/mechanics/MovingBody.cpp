@@ -109,16 +109,11 @@ bool MovingBody::begin_step() {
   return problem_.method.reset;
 }
 
-void MovingBody::reset_grid() {
-  const base::Stage stage("grid reset");
-  auto moved = balance_->body().moved_particles(*displacement_);
-  const grid::Grid grid = fitted_grid(communicator_, problem_, motion_.load,
-                                      balance_->halo().partition().grid(), moved);
-  const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
-  moved = particles::migrate(communicator_, partition, moved);
+void MovingBody::rest_on(const grid::Partition& partition,
+                         const particles::Particles<grid::Device>& particles) {
   try {
-    balance_ =
-        std::make_unique<MomentumBalance>(communicator_, partition, moved, problem_, motion_.load);
+    balance_ = std::make_unique<MomentumBalance>(communicator_, partition, particles, problem_,
+                                                 motion_.load);
   } catch (const base::InputError& error) {
     // The conditions were fine in the undeformed body: the motion has brought them into conflict,
     // or torn the body apart.
@@ -127,6 +122,16 @@ void MovingBody::reset_grid() {
   }
   displacement_ = std::make_unique<grid::Vector>(balance_->owned_map());
   previous_.reset();
+}
+
+void MovingBody::reset_grid() {
+  const base::Stage stage("grid reset");
+  auto moved = balance_->body().moved_particles(*displacement_);
+  const grid::Grid grid = fitted_grid(communicator_, problem_, motion_.load,
+                                      balance_->halo().partition().grid(), moved);
+  const grid::Partition partition = particles::balanced_partition(communicator_, grid, moved);
+  moved = particles::migrate(communicator_, partition, moved);
+  rest_on(partition, moved);
   motion_.grid = grid;
   motion_.base_load = motion_.load;
 }
@@ -136,7 +141,8 @@ void MovingBody::project() {
   balance_->body().project_displacement(*displacement_, projected);
   if (problem_.method.reset) {
     balance_->body().set_base_gradient(projected);
-    balance_->forget_forces();
+    // How far elements are filled, and how stiff they are, follows from the projected gradients.
+    rest_on(balance_->halo().partition(), balance_->body().particles());
   } else {
     balance_->body().replace_displacement(*displacement_, projected);
     balance_->forget_forces();

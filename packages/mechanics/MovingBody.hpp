@@ -101,6 +101,9 @@ class MovingBody {
 
  private:
   std::optional<grid::Vector> on_the_line(double load) const;
+  /// Makes the balance of these particles, which have not moved yet.
+  void rest_on(const grid::Partition& partition,
+               const particles::Particles<grid::Device>& particles);
   void reset_grid();
   void project();
 

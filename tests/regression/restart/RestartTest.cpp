@@ -159,6 +159,28 @@ Stroma:
   }
 }
 
+// V-RESTART-7.
+TEST(Restart, ProjectedGradientsAreVerified) {
+  for (const std::string shape : {"Linear", "CPDI"}) {
+    const TemporaryFolder folder;
+    run_deck(folder, "gel",
+             R"(
+Stroma:
+  Image:
+    Phantom: {Kind: Uniform, Size: [8, 12, 8], "Voxel Size [um]": [1, 1, 1]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.4}
+  Grid: {Elements: [4, 6, 4], Deformation Gradient: Projected Displacement, Reset: true, Shape Functions: )" +
+                 shape + R"(}
+  Loading: {Steps: 4}
+  Output: {Pictures: false, Report: false}
+  Rig: {Kind: Torsion, Face: y+, "Angle [deg]": 30}
+)");
+    const Outcome verdict = run_stroma(folder.path(), "verify gel");
+    EXPECT_EQ(verdict.status, 0) << verdict.standard_output << verdict.standard_error;
+  }
+}
+
 // V-RESTART-2.
 TEST(Restart, ATimeLimitLeavesACheckpoint) {
   const TemporaryFolder folder;
