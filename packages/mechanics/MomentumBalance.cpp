@@ -105,6 +105,11 @@ void MomentumBalance::set_load(double load) {
   for (const auto& term : terms_) term->set_load(load);
 }
 
+void MomentumBalance::go_straight(const StraightStep& step) {
+  supports_->go_straight(step);
+  if (springs_ != nullptr) springs_->go_straight(step);
+}
+
 bool MomentumBalance::stress_follows_load() const {
   return !problem().drives.empty() ||
          std::any_of(terms_.begin(), terms_.end(),

@@ -84,6 +84,9 @@ class MomentumBalance {
   /// Load factor at which forces are evaluated; that of the base at the start.
   double load() const { return load_; }
   void set_load(double load);
+  /// Lets prescribed displacements go straight along a step, from now on; of others, and at its ends,
+  /// nothing changes.
+  void go_straight(const StraightStep& step);
 
   /// The forces at a displacement, evaluated unless they are those of the last call: terms that do
   /// not change with the load, not even when the load has changed. Good until the next call.

@@ -18,7 +18,7 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
   auto faces = single_faces();
   faces.emplace_back("all", Face::all);
   condition.required_choice("Face", &BoundaryCondition::face, faces,
-                            "A face of the body's box, or all six.");
+                            "A face of the body's box, which the body must reach, or all six.");
   condition.required(
       "Components", &BoundaryCondition::components, deck::not_empty(),
       "The displacement components it prescribes: a selection of xyz, such as y or xyz.");

@@ -19,7 +19,8 @@ deck::Section<ExternalForcesParameters> external_forces_section() {
   force.optional(
       "Traction [Pa]", &ExternalForce::traction, deck::any(),
       "Force per area of the undeformed Face at full load, x, y, z; it keeps its direction. "
-      "It acts at the points of the face beside the outermost particles.");
+      "It acts at the points of the face beside the outermost particles, and so on as much of the "
+      "face as the body reaches.");
   force.choice("Face", &ExternalForce::face, single_faces(),
                "The face of the body's box on which a Traction acts.");
   force.optional(

@@ -38,7 +38,8 @@ deck::Section<LoadCurvesParameters> load_curves_section() {
   deck::Section<LoadCurvesParameters> section(
       "Load Curves",
       "How conditions and forces follow time, one sublist each, named by the user; without a Load "
-      "Curve they grow in proportion to the load, to their full values at the end.");
+      "Curve they grow in proportion to the load, to their full values at the end. The body begins "
+      "undeformed: faces that a curve moves from its start on get there with the first step.");
   section.named_sections(curve, &LoadCurvesParameters::curves, 0);
   return section;
 }

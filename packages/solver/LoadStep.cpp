@@ -42,6 +42,7 @@ NewtonResult solve_time_step(mechanics::MovingBody& body, NewtonSolver& newton, 
   mechanics::MomentumBalance& balance = body.balance();
   const mechanics::Inertia& inertia = *balance.inertia();
   const double at = inertia.balance_load(load);
+  balance.go_straight({body.motion().load, load});
   balance.set_load(at);
   if (const auto predicted = body.predicted(at)) {
     trial.assign(*predicted);

@@ -20,6 +20,14 @@ std::vector<std::string> notes_without_effect(const DeckParameters& p) {
   const bool follows = p.grid.reset && p.grid.shape_functions != shape::ShapeFunctions::linear;
   look_at(!follows && p.grid.particle_domain != mechanics::GridParameters{}.particle_domain,
           "Grid|Particle Domain", "Reset = true and Shape Functions other than Linear");
+  for (const auto& [name, condition] : p.boundary_conditions.conditions)
+    for (int c = 0; c < 3; ++c) {
+      const std::string component(1, "xyz"[c]);
+      look_at(condition.displacement && !condition.prescribes(c) &&
+                  (*condition.displacement)[static_cast<std::size_t>(c)] != 0.0,
+              "Boundary Conditions|" + name + "|Displacement [um] along " + component,
+              component + " among the Components");
+    }
   const auto asked_for = curves_asked_for(p);
   for (const auto& curve : p.load_curves.curves)
     look_at(std::none_of(asked_for.begin(), asked_for.end(),

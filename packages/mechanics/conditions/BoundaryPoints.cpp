@@ -87,7 +87,7 @@ class BoundaryPointMaker {
 
 }  // namespace
 
-void BoundaryPoints::set_load(const Problem& problem, double load,
+void BoundaryPoints::set_load(const Problem& problem, double load, const StraightStep& step,
                               const std::vector<Vector>& beyond) {
   const Vector length = problem.body.lengths();
   const auto point = on_host(writable);
@@ -96,8 +96,9 @@ void BoundaryPoints::set_load(const Problem& problem, double load,
         problem.conditions[static_cast<std::size_t>(point(n).condition)].second;
     for (int c = 0; c < 3; ++c)
       if (point(n).components >> c & 1)
-        point(n).displacement[c] = condition.value(c, X[n], problem.body.origin, length, load) +
-                                   (beyond.empty() ? 0.0 : beyond[n][static_cast<std::size_t>(c)]);
+        point(n).displacement[c] = step.on_the_line(load, [&](double at) {
+          return condition.value(c, X[n], problem.body.origin, length, at);
+        }) + (beyond.empty() ? 0.0 : beyond[n][static_cast<std::size_t>(c)]);
   }
   Kokkos::deep_copy(writable, point);
 }
@@ -127,7 +128,7 @@ BoundaryPoints boundary_points(const base::Communicator& communicator, const Pro
       return b.condition == static_cast<int>(m);
     });
     if (is_penalty(conditions[m]) && communicator.sum(static_cast<std::int64_t>(found)) == 0)
-      throw base::InputError(no_particle_near(conditions[m].first));
+      throw base::InputError(no_particle_at("Boundary Conditions|" + conditions[m].first));
   }
   made.writable = decltype(made.writable)("boundary points", points.size());
   const auto host = Kokkos::create_mirror_view(made.writable);

@@ -19,9 +19,9 @@ struct BoundaryPoints {
   transfer::BoundaryPointSet<grid::Device> points;
   std::vector<std::array<double, 3>> X;  ///< (point) [um]
 
-  /// Lets the points' springs pull to where conditions want them at a load factor, or beyond that
-  /// [um], if not empty.
-  void set_load(const Problem& problem, double load,
+  /// Lets the points' springs pull to where conditions want them at a load factor, within a straight
+  /// step on its line, or beyond that [um], if not empty.
+  void set_load(const Problem& problem, double load, const StraightStep& step = {},
                 const std::vector<std::array<double, 3>>& beyond = {});
   /// The points, to be written.
   Kokkos::View<transfer::BoundaryPoint*, grid::Device> writable;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stroma/mechanics/conditions/FacesReached.hpp"
 #include "stroma/particles/AxisLayout.hpp"
 #include "stroma/particles/UndeformedPositions.hpp"
 
@@ -76,6 +77,7 @@ void for_each_force(const Body& body, const Pieces& pieces, const grid::Vector& 
 std::unique_ptr<Supports> find_supports(const Body& body, const OtherActions& others,
                                         double base_load, bool is_refused_if_loose) {
   const Problem& problem = body.problem();
+  if (base_load == 0.0) refuse_faces_out_of_reach(body.communicator(), problem, body.particles());
   std::vector<Supports::NodeCounts> grips(problem.conditions.size());
   for (std::size_t m = 0; m < grips.size(); ++m) {
     const BoundaryCondition& condition = problem.conditions[m].second;

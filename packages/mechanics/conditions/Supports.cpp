@@ -194,7 +194,7 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
   for (std::size_t m = 0; m < conditions.size(); ++m)
     if (problem.imposed_by(conditions[m].second) != ImposedBy::penalty &&
         communicator.sum(nodes_of_condition[m]) == 0)
-      throw base::InputError(no_particle_near(conditions[m].first));
+      throw base::InputError(no_particle_at("Boundary Conditions|" + conditions[m].first));
 }
 
 void Supports::carry_idle_pieces(const SupportedBody& body, const BodyStatics& statics) {
@@ -324,7 +324,7 @@ void Supports::for_each_value(double load, const Use& use) const {
     const auto at = [&](double s) {
       return t.condition->value(t.unknown % 3, t.X, body.origin, length, s);
     };
-    use(t.unknown, at(load) - at(base_load_));
+    use(t.unknown, step_.on_the_line(load, at) - at(base_load_));
   }
 }
 

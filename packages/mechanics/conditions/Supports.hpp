@@ -61,6 +61,9 @@ class Supports {
   /// (touched node) bit c: component c is prescribed.
   const Kokkos::View<std::uint8_t*, Device>& held() const { return held_; }
 
+  /// Lets displacements within a step be those on its line, from now on.
+  void go_straight(const StraightStep& step) { step_ = step; }
+
   /// Sets the prescribed components of u [um] to their values at a load factor (base_load to 1).
   void impose(double load, grid::Vector& u) const;
   /// How much the prescribed components of u must change for a load factor; 0 at the others.
@@ -139,6 +142,7 @@ class Supports {
   Problem const* problem_;
   int conditions_;
   double base_load_;
+  StraightStep step_;
   std::vector<Prescribed> prescribed_;
   std::vector<Turned> turned_;
   std::vector<std::uint8_t> held_owned_;  // (owned node) bits as in held_

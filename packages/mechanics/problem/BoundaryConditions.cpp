@@ -76,7 +76,7 @@ double BoundaryCondition::at_factor(int component, const Vector& position, const
 
 double BoundaryCondition::value(int component, const Vector& position, const Vector& corner,
                                 const Vector& length, double load) const {
-  return at_factor(component, position, corner, length, curve.at(load));
+  return at_factor(component, position, corner, length, factor(load));
 }
 
 double BoundaryCondition::full(int component, const Vector& position, const Vector& corner,
@@ -101,7 +101,7 @@ Vector BoundaryCondition::lever(const Vector& x, const Vector& corner, const Vec
 
 double BoundaryCondition::rate(int component, const Vector& position, const Vector& corner,
                                const Vector& length, double load) const {
-  return curve.slope(load) * rate_of_factor(component, position, corner, length, curve.at(load));
+  return curve.slope(load) * rate_of_factor(component, position, corner, length, factor(load));
 }
 
 double BoundaryCondition::direction(int component, const Vector& position, const Vector& corner,
@@ -112,7 +112,7 @@ double BoundaryCondition::direction(int component, const Vector& position, const
 std::array<double, 3> BoundaryCondition::carried_from(const Vector& x, double load,
                                                       const Vector& corner,
                                                       const Vector& length) const {
-  const double factor = curve.at(load);
+  const double factor = this->factor(load);
   Vector X = x;
   if (field) return X;
   if (displacement_gradient) {
@@ -201,10 +201,10 @@ std::string conflict(const std::string& first, const std::string& second, int co
       "xyz"[component]);
 }
 
-std::string no_particle_near(const std::string& condition) {
-  return "Boundary Conditions|" + condition +
-         "|Face: there is no particle in the elements along this face; admissible: a face at which "
-         "the image has a label other than -1 (empty)";
+std::string no_particle_at(const std::string& section) {
+  return section +
+         "|Face: there is no particle at this face; admissible: a face at which the image has a label "
+         "other than -1 (empty). Image|Region leaves out a margin around the body";
 }
 
 }  // namespace stroma::mechanics

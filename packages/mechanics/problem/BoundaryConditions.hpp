@@ -29,6 +29,21 @@ int axis_of(Face face);
 /// Whether the face is the upper one of its axis.
 bool is_upper(Face face);
 
+/// The ends of a load step along which prescribed displacements go straight from where they were to
+/// where they shall be. Schemes that have the balance within a step take displacements from there to
+/// its end on a line: those of the supports must lie on it, or they would strain what is beside them.
+struct StraightStep {
+  double begin = 0.0, end = 0.0;  ///< [load]
+
+  /// What is `at` a load: within the step, on the line.
+  template <class At>
+  double on_the_line(double load, const At& at) const {
+    if (!(begin < load && load < end)) return at(load);
+    const double share = (load - begin) / (end - begin);
+    return (1.0 - share) * at(begin) + share * at(end);
+  }
+};
+
 /// How a condition reaches the grid: at the nodes of the face; by a grip, the particles that lie
 /// within one element of the face at load 0, which move as prescribed with all nodes they touch; or
 /// by a penalty, stiff springs on points of the face that ride beside the outermost particles.
@@ -57,8 +72,11 @@ struct BoundaryCondition {
     return components.find("xyz"[component]) != std::string::npos;
   }
 
-  /// Displacement component [um] of a point of the face at a load factor, of which s is the curve's
-  /// factor: s times the given displacement, or that of the images at X, or strain * length along the outward normal, or G (X - corner); or, about the
+  /// The factor s at a load: the curve's, but 0 at load 0, where the body is undeformed. What a curve
+  /// has from its start on comes with the first step.
+  double factor(double load) const { return load > 0.0 ? curve.at(load) : 0.0; }
+
+  /// Displacement component [um] of a point of the face at a load factor, of which s is the factor: s times the given displacement, or that of the images at X, or strain * length along the outward normal, or G (X - corner); or, about the
   /// unit axis a, with r = X - center and the angle t = s * rotation,
   ///
   ///     u = sin t  a x r + (1 - cos t)  a x (a x r).
@@ -146,8 +164,8 @@ bool agree(const ConditionAt& a, const ConditionAt& b, int component,
 /// different displacements a and b [um] of one component at a point x [um].
 std::string conflict(const std::string& first, const std::string& second, int component,
                      const std::array<double, 3>& x, double a, double b);
-/// What to tell the user when a condition's face has no particle near it.
-std::string no_particle_near(const std::string& condition);
+/// What to tell the user when the face of a condition or a traction has no particle.
+std::string no_particle_at(const std::string& section);
 
 struct BoundaryConditionsParameters {
   NamedConditions conditions;

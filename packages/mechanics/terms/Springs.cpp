@@ -41,7 +41,7 @@ void Springs::set_load(double load) {
   aim();
 }
 
-void Springs::aim() { springs_.set_load(body_.problem(), load_, beyond_); }
+void Springs::aim() { springs_.set_load(body_.problem(), load_, step_, beyond_); }
 
 bool Springs::pulls_on(const transfer::BoundaryPoint& point) const {
   const Problem& problem = body_.problem();
@@ -90,7 +90,7 @@ double Springs::slack(const TrialState& state) const {
   BoundaryPoints at_place = springs_;
   at_place.writable = decltype(at_place.writable)("at place", springs_.points.point.extent(0));
   Kokkos::deep_copy(at_place.writable, springs_.writable);
-  at_place.set_load(body_.problem(), load_);
+  at_place.set_load(body_.problem(), load_, step_);
   const auto point = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), at_place.writable);
   for (std::size_t n = 0; n < point.extent(0); ++n)
     if (!pulls_on(point(n))) point(n).spring = 0.0;

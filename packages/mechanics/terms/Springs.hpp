@@ -29,6 +29,7 @@ class Springs : public Term {
   explicit Springs(const Body& body);
 
   void set_load(double load) override;
+  void go_straight(const StraightStep& step) { step_ = step; }
   TermForce force(const TrialState& state, grid::Vector& force) const override;
   std::int64_t add_tangent(const TrialState& state,
                            const transfer::BlockRows<Device>& rows) const override;
@@ -68,6 +69,7 @@ class Springs : public Term {
   const Body& body_;
   BoundaryPoints springs_;
   double load_ = 0.0;
+  StraightStep step_;
   bool some_pull_on_;
   std::vector<std::array<double, 3>> beyond_;  // (point) s [um]; empty: none pulls on yet
 };

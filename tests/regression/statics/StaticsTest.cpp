@@ -55,6 +55,42 @@ TEST(Statics, ABodyInTwoPiecesBetweenItsGripsIsRefused) {
                  {"Boundary Conditions|top", "strains nothing"});
 }
 
+// V-REACH. A layer of empty voxels at the upper y face, thinner than an element: what is held or
+// pulled there is told from what the body reaches.
+TEST(Statics, AFaceThatTheBodyDoesNotReachIsRefused) {
+  const std::string deck = R"(Stroma:
+  Image:
+    Phantom:
+      Kind: Shapes
+      Size: [8, 8, 8]
+      "Voxel Size [um]": [1, 1, 1]
+      Shapes:
+        margin: {Kind: Box, Label: -1, "Center [um]": [4, 7.5, 4], "Size [um]": [10, 1, 10]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
+  Grid: {Elements: [4, 4, 4]}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xyz}
+)";
+  const std::vector<std::string> unreached{
+      "    top: {Face: y+, Components: xyz, Strain: 0.1}\n",
+      "    top: {Face: y+, Components: xyz, Strain: 0.1, Imposed By: Grip}\n",
+      "    top: {Face: y+, Components: xyz, Strain: 0.1, Imposed By: Penalty}\n",
+      "  External Forces:\n    top: {Face: y+, \"Traction [Pa]\": [10, 20, 5]}\n"};
+  for (const std::string& top : unreached)
+    for (const int ranks : {1, 2}) {
+      const TemporaryFolder folder;
+      folder.write("deck.yaml", deck + top);
+      const Outcome outcome = run_stroma(folder.path(), "run deck.yaml", ranks);
+      EXPECT_EQ(outcome.status, 2) << top;
+      EXPECT_NE(outcome.standard_error.find("|top|Face: there is no particle at this face"),
+                std::string::npos)
+          << outcome.standard_error;
+      folder.write("deck.yaml", deck + "    side: {Face: x-, Components: x}\n");
+      EXPECT_EQ(run_stroma(folder.path(), "check deck.yaml", ranks).status, 0);
+    }
+}
+
 /// The island's deck without the weight; label -1 for the island: without the island.
 double force_with_label(int label, int ranks, std::string& output) {
   const TemporaryFolder folder;

@@ -2,7 +2,7 @@
 
 /// \file
 /// Conditions and forces that follow curves of time: an elastic body feels where its faces are, and
-/// not when they came there. Claims V-TIME-2 and V-TIME-3, docs/verification.md.
+/// not when they came there. Claims V-TIME-2 to V-TIME-5, docs/verification.md.
 
 #include <gtest/gtest.h>
 
@@ -121,6 +121,67 @@ TEST_F(LoadCurves, ThereAndBackWithResetIsNearlyNothing) {
       run(deck("Strain: 0.1, Load Curve: there and back",
                hold + "  Loading: {'Duration [s]': 4, Steps: 8}\n", "    Reset: true\n"));
   EXPECT_NEAR(run_back["strain_energy"].back(), 0.0, 0.02 * run_back["strain_energy"][4]);
+}
+
+// V-TIME-4. The body begins undeformed, and what a curve has from its start on comes with the first
+// step: in the end it is where a plain run takes it, or back at rest.
+TEST_F(LoadCurves, ACurveMayBeginWithAValue) {
+  const std::string curves =
+      "  Load Curves:\n"
+      "    at once: {'Times [s]': [0], Values: [1]}\n"
+      "    back: {'Times [s]': [0, 4], Values: [1, 0]}\n"
+      "  Loading: {'Duration [s]': 4, Steps: 4}\n";
+  for (const char* way : {"Strain: 0.1, Imposed By: Nodes", "Strain: 0.1, Imposed By: Grip",
+                          "Strain: 0.1, Imposed By: Penalty", "'Rotation [deg]': 20"})
+    for (const char* grid : {"", "    Reset: true\n    Shape Functions: GIMP\n"}) {
+      SCOPED_TRACE(std::string(way) + grid);
+      const History plain = run(deck(way, "  Loading: {Steps: 1}\n", grid));
+      const History at_once = run(deck(std::string(way) + ", Load Curve: at once", curves, grid));
+      EXPECT_EQ(at_once["strain_energy"][0], 0.0);
+      EXPECT_EQ(at_once["top.reaction_y"][0], 0.0);
+      expect_same_state(at_once, 1, plain, 1);
+      EXPECT_NEAR(at_once["strain_energy"].back(), plain["strain_energy"].back(),
+                  (*grid == 0 ? 1e-9 : 0.03) * plain["strain_energy"].back());
+      if (*grid != 0) continue;
+      const History back = run(deck(std::string(way) + ", Load Curve: back", curves, grid));
+      EXPECT_NEAR(back["strain_energy"].back(), 0.0, 1e-12 * plain["strain_energy"].back());
+    }
+}
+
+// V-TIME-5. Generalised alpha has its balance within a step: faces that follow a curve, or turn, are
+// on the way to where they shall be at its end, or what goes there from the balance would be strained
+// beside them. Slow, so that inertia is nothing, the forces are those of a body without, at order 2.
+TEST_F(LoadCurves, GeneralisedAlphaFollowsThem) {
+  const std::string moving = ", Inertia: true, Scheme: Generalised Alpha";
+  const auto run_in = [&](const std::string& way, int steps, const std::string& motion) {
+    std::string text =
+        deck(way + ", Load Curve: smooth",
+             "  Load Curves:\n"
+             "    smooth: {'Times [s]': [0, 4], Values: [0, 1], Interpolation: Smooth}\n"
+             "  Loading: {'Duration [s]': 4, Steps: " +
+                 std::to_string(steps) + motion + "}\n");
+    for (std::size_t at = text.find("Poisson"); at != std::string::npos;
+         at = text.find("Poisson", at + 40))
+      text.insert(at, "'Density [kg/m^3]': 1000, ");
+    return run(text);
+  };
+  for (const std::string way :
+       {"Strain: 0.1, Imposed By: Nodes", "Strain: 0.1, Imposed By: Penalty, Penalty Factor: 1e3",
+        "Strain: 0.1, Imposed By: Penalty", "'Rotation [deg]': 40"}) {
+    SCOPED_TRACE(way);
+    const std::string figure = way[0] == 'S' ? "top.reaction_y" : "top.torque";
+    double error[2];
+    for (const int refined : {0, 1}) {
+      const int steps = refined == 0 ? 10 : 20;
+      const std::vector<double> slow = run_in(way, steps, "")[figure],
+                                found = run_in(way, steps, moving)[figure];
+      error[refined] = 0.0;
+      for (std::size_t s = 0; s < slow.size(); ++s)
+        error[refined] = std::max(error[refined], std::abs(found[s] - slow[s]) / slow.back());
+    }
+    EXPECT_LT(error[0], 1e-3);
+    EXPECT_NEAR(error[0] / error[1], 4.0, 0.4);
+  }
 }
 
 // V-TIME-3. A traction that comes late and smoothly beside one that grows with the load: at the end
