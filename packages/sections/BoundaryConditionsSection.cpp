@@ -17,8 +17,10 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
       "NAME", "One condition; NAME is the user's and appears in the results.");
   auto faces = single_faces();
   faces.emplace_back("all", Face::all);
-  condition.required_choice("Face", &BoundaryCondition::face, faces,
-                            "A face of the body's box, which the body must reach, or all six.");
+  condition.required_choice(
+      "Face", &BoundaryCondition::face, faces,
+      "A face of the body's box, or all six. The body must reach a single one, unless "
+      "it is held by a Grip.");
   condition.required(
       "Components", &BoundaryCondition::components, deck::not_empty(),
       "The displacement components it prescribes: a selection of xyz, such as y or xyz.");

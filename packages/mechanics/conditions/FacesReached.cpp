@@ -46,7 +46,8 @@ void refuse_faces_out_of_reach(const base::Communicator& communicator, const Pro
       throw base::InputError(no_particle_at(where));
   };
   for (const auto& [name, condition] : problem.conditions)
-    look_at(*condition.face, "Boundary Conditions|" + name);
+    if (problem.imposed_by(condition) != ImposedBy::grip)
+      look_at(*condition.face, "Boundary Conditions|" + name);
   for (const auto& [name, force] : problem.forces)
     if (force.traction) look_at(*force.face, "External Forces|" + name);
 }

@@ -157,6 +157,7 @@ TEST(GridReset, RigidTranslationLeavesNoStress) {
     const std::array<double, 3> way{3.7 * h[0], -3.7 * h[1], 3.7 * h[2]};
     specimen.conditions = {{"bottom", moved(Face::y_lower, way)},
                            {"top", moved(Face::y_upper, way)}};
+    for (auto& named : specimen.conditions) named.second.imposed_by = ImposedBy::grip;
     std::array<double, 3> shift;
     for (std::size_t d = 0; d < 3; ++d) shift[d] = start.share[d] * h[d];
     mechanics::MovingBody body = test::shifted_body(world(), specimen, shift);
