@@ -184,7 +184,7 @@ TEST_P(RigidMotion, OfTheEndsIsThatOfTheBody) {
             bottom.displacement = top.displacement = way;
           }
           for (auto* end : {&bottom, &top})  // shifted particles do not end at nodes
-            if (reset) end->imposed_by = mechanics::ImposedBy::grip;
+            end->imposed_by = mechanics::ImposedBy::grip;
           specimen.conditions = {{"bottom", bottom}, {"top", top}};
           mechanics::MovingBody body =
               test::shifted_body(world(), specimen, shift_of(start, specimen));
