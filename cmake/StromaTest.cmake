@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADS n...])
+# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADED_RANKS n...])
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
-# folder, with tests/data in it, in STROMA_SOURCE_DIR.
-# Where Trilinos has threads, those tests are run that name THREADS: what they test runs kernels. They are run on 1 rank
-# with each of these numbers of threads, and, if they are for several ranks, on 2 ranks of 2 threads. The targets unit_tests,
-# verification_tests and regression_tests build all of a kind that is run.
+# folder, with tests/data in it, and the program by tests/support/Places.hpp.
+# Where Trilinos has threads, those tests are run that name THREADED_RANKS: what they test runs kernels. They are run
+# on each of these numbers of ranks, with 2 threads each. The targets unit_tests, verification_tests and regression_tests
+# build all of a kind that is run.
 set(STROMA_TEST_ENVIRONMENT
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
@@ -37,34 +37,30 @@ function(stroma_add_test name label target ranks threads suffix)
 endfunction()
 
 function(stroma_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;THREADS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;THREADED_RANKS;LIBRARIES" ${ARGN})
   if(NOT arg_RANKS)
     set(arg_RANKS 1)
   endif()
   set(target test_${arg_LABEL}_${name})
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE stroma_test_main stroma_options ${arg_LIBRARIES})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)  # a third less to wait for; kernels are in the packages
   foreach(used IN LISTS arg_USES)
     target_link_libraries(${target} PRIVATE stroma_${used})
   endforeach()
-  target_compile_definitions(
-    ${target} PRIVATE STROMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    STROMA_EXECUTABLE="${PROJECT_BINARY_DIR}/bin/stroma")
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
-  if(STROMA_NEEDS_OPENMP AND NOT arg_THREADS)
+  if(STROMA_NEEDS_OPENMP AND NOT arg_THREADED_RANKS)
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()
   add_dependencies(${arg_LABEL}_tests ${target})
-  foreach(ranks IN LISTS arg_RANKS)
-    if(NOT STROMA_NEEDS_OPENMP)
+  if(STROMA_NEEDS_OPENMP)
+    foreach(ranks IN LISTS arg_THREADED_RANKS)
+      stroma_add_test(${name} ${arg_LABEL} ${target} ${ranks} 2 .threads2)
+    endforeach()
+  else()
+    foreach(ranks IN LISTS arg_RANKS)
       stroma_add_test(${name} ${arg_LABEL} ${target} ${ranks} 1 "")
-    elseif(ranks EQUAL 1)
-      foreach(threads IN LISTS arg_THREADS)
-        stroma_add_test(${name} ${arg_LABEL} ${target} 1 ${threads} .threads${threads})
-      endforeach()
-    elseif(ranks EQUAL 2)
-      stroma_add_test(${name} ${arg_LABEL} ${target} 2 2 .threads2)
-    endif()
-  endforeach()
+    endforeach()
+  endif()
 endfunction()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds everything (preset release), runs all tests. Then, where a Trilinos with threads is
-# at hand, builds the preset threads and runs the unit and verification tests on it, with 1 and 2 threads.
+# at hand, builds the preset threads and runs the unit and verification tests on it, with 2 threads.
 #
 #   cmake/test.sh [--build DIR] [CTEST-OPTION...]      what is built lies below DIR; else below build
 set -euo pipefail

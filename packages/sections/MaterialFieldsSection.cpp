@@ -66,7 +66,7 @@ void check_fields(const MaterialParameters& p, deck::Findings& findings) {
     const auto found = std::find(names.begin(), names.end(), field.parameter);
     if (found == names.end()) {
       findings.add(where + "Parameter", "found \"" + field.parameter +
-                                            "\", which the material does not give; " +
+                                            "\", which is no number of the material that may vary; " +
                                             deck::suggestion(field.parameter, names));
       continue;
     }

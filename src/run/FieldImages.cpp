@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
@@ -40,18 +42,28 @@ void require_same_specimen(const std::string& where, const image::ImageSummary& 
   }
 }
 
+/// Whether a field names another file than the specimen's, by whatever path.
+bool is_in_another_file(const material::FieldImage& field, const image::ImageParameters& specimen,
+                        const deck::Document& document) {
+  if (!field.file || !specimen.file) return field.file.has_value();
+  std::error_code missing;  // is told when it is read
+  return !std::filesystem::equivalent(document.resolve(*field.file),
+                                      document.resolve(*specimen.file), missing);
+}
+
 }  // namespace
 
 voxels::IntensityVolume FieldImages::read(const std::string& where,
                                           const material::FieldImage& image) {
   const image::ImageParameters& specimen = deck_->parameters.image;
   if (image.is_the_specimens()) return image_->intensities;
+  const bool is_another = is_in_another_file(image, specimen, deck_->document);
   image::ImageParameters other;
   other.region = specimen.region;
   other.file = image.file ? image.file : specimen.file;
-  other.dataset = image.dataset || image.file ? image.dataset : specimen.dataset;
-  other.channel = image.channel.value_or(image.file ? 0 : specimen.channel);
-  other.frame = image.frame.value_or(image.file ? 0 : specimen.frame);
+  other.dataset = image.dataset || is_another ? image.dataset : specimen.dataset;
+  other.channel = image.channel.value_or(is_another ? 0 : specimen.channel);
+  other.frame = image.frame.value_or(is_another ? 0 : specimen.frame);
   image::ImageSummary found;
   voxels::IntensityVolume volume;
   try {

@@ -16,6 +16,7 @@
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/image/ReadVolume.hpp"
 #include "stroma/image/labels/Fragments.hpp"
+#include "stroma/mechanics/conditions/FacesReached.hpp"
 #include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Migration.hpp"
 
@@ -102,6 +103,30 @@ SpecimenImage read_image(const base::Communicator& communicator, const Deck& dec
   return image;
 }
 
+namespace {
+
+/// Where a traction acts on a part of its face only: the body has gaps there.
+std::vector<std::string> traction_notes(const base::Communicator& communicator,
+                                        const mechanics::NamedForces& forces,
+                                        const Specimen& specimen) {
+  std::vector<std::string> notes;
+  const auto acts_on_a_face = [](const auto& named) { return named.second.traction.has_value(); };
+  if (std::none_of(forces.begin(), forces.end(), acts_on_a_face)) return notes;
+  const auto shares = mechanics::filled_shares_of_faces(
+      communicator, specimen.body, specimen.layout.outer_thickness, specimen.particles);
+  for (const auto& [name, force] : forces) {
+    if (!force.traction) continue;
+    const double share = shares[static_cast<std::size_t>(*force.face)];
+    if (share > 0.0 && share < 1.0 - 1e-9)
+      notes.push_back(base::format(
+          "External Forces|%s: the body fills %.3g %% of its face; the traction acts on that part",
+          name.c_str(), 100.0 * share));
+  }
+  return notes;
+}
+
+}  // namespace
+
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                        const SpecimenImage& image) {
   const base::Stage stage("particles");
@@ -153,6 +178,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   for (std::string& note : own.notes) specimen.notes.push_back(std::move(note));
   specimen.own_numbers = std::move(own.which);
   specimen.extremes = std::move(own.extremes);
+  for (std::string& note : traction_notes(communicator, p.external_forces.forces, specimen))
+    specimen.notes.push_back(std::move(note));
   specimen.particle_count = communicator.sum<std::int64_t>(specimen.particles.count());
   if (specimen.particle_count == 0)
     throw base::InputError("Image: every voxel is empty (label -1): there is nothing to compute");

@@ -3,6 +3,7 @@
 #include "run/WithoutEffect.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace stroma {
 
@@ -28,6 +29,12 @@ std::vector<std::string> notes_without_effect(const DeckParameters& p) {
               "Boundary Conditions|" + name + "|Displacement [um] along " + component,
               component + " among the Components");
     }
+  for (const auto& [name, force] : p.external_forces.forces)
+    for (const auto& [vector, unit] : {std::pair{force.body_force, "Body Force [pN/um^3]"},
+                                       std::pair{force.acceleration, "Acceleration [m/s^2]"},
+                                       std::pair{force.traction, "Traction [Pa]"}})
+      look_at(p.grid.plane_strain && vector && (*vector)[2] != 0.0,
+              "External Forces|" + name + "|" + unit + " along z", "Plane Strain = false");
   const auto asked_for = curves_asked_for(p);
   for (const auto& curve : p.load_curves.curves)
     look_at(std::none_of(asked_for.begin(), asked_for.end(),

@@ -11,6 +11,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Stage.hpp"
+#include "stroma/mechanics/conditions/FacesReached.hpp"
 #include "stroma/mechanics/terms/UnitLoads.hpp"
 #include "stroma/solver/RefinedSolve.hpp"
 
@@ -81,26 +82,8 @@ mechanics::Problem problem_of(const Deck& deck, const Specimen& specimen, Unifor
 
 std::array<double, 6> solid_shares_of_faces(const base::Communicator& communicator,
                                             const Specimen& specimen) {
-  const grid::Grid& box = specimen.body;
-  const auto x =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), specimen.particles.position);
-  const auto V =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), specimen.particles.volume);
-  std::array<double, 6> volumes{};
-  for (std::size_t p = 0; p < V.extent(0); ++p)
-    for (std::size_t face = 0; face < 6; ++face) {
-      const std::size_t d = face / 2;
-      const double at = box.origin[d] + (face % 2 == 1 ? box.length(static_cast<int>(d)) : 0.0);
-      if (std::abs(x(p, d) - at) <= specimen.layout.outer_thickness[d]) volumes[face] += V(p);
-    }
-  communicator.sum_all(volumes.data(), volumes.size());
-  for (std::size_t face = 0; face < 6; ++face) {
-    const std::size_t d = face / 2;
-    volumes[face] /= specimen.layout.outer_thickness[d] *
-                     box.length(static_cast<int>((d + 1) % 3)) *
-                     box.length(static_cast<int>((d + 2) % 3));
-  }
-  return volumes;
+  return mechanics::filled_shares_of_faces(communicator, specimen.body,
+                                           specimen.layout.outer_thickness, specimen.particles);
 }
 
 bool are_solid(const std::array<double, 6>& shares) {

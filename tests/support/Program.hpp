@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "support/Places.hpp"
 #include "support/TemporaryFolder.hpp"
 
 namespace stroma::test {
@@ -74,7 +75,7 @@ inline Outcome run_program(const fs::path& program, const fs::path& folder,
 
 /// Runs `stroma ARGUMENTS` with the test's own number of threads.
 inline Outcome run_stroma(const fs::path& folder, const std::string& arguments, int ranks = 1) {
-  return run_program(STROMA_EXECUTABLE, folder, arguments, ranks, threads_of_test());
+  return run_program(stroma_program(), folder, arguments, ranks, threads_of_test());
 }
 
 /// The columns of a history.csv by name; element s is the row of step s.

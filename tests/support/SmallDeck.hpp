@@ -7,13 +7,13 @@
 
 #include <string>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 
 inline std::string small_deck() {
-  return content_of(fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "cases" / "title_control" /
-                    "base.yaml");
+  return content_of(clone_folder() / "tests" / "data" / "cases" / "title_control" / "base.yaml");
 }
 
 /// The same as a run of an hour.
@@ -24,7 +24,7 @@ inline const std::string endless =
 /// `wait_for_steps FILE` waits until a history.csv has three steps.
 inline Outcome run_script(const TemporaryFolder& folder, const std::string& script) {
   const std::string head =
-      "stroma=" + quoted(STROMA_EXECUTABLE) +
+      "stroma=" + quoted(stroma_program()) +
       "\nmpirun='env -u OMPI_MCA_btl -u OMPI_MCA_pml -u OMPI_MCA_ess_singleton_isolated "
       "-u OMPI_MCA_orte_create_session_dirs OMPI_MCA_odls_base_sigkill_timeout=5 "
       "PRTE_MCA_odls_base_sigkill_timeout=5 mpirun --oversubscribe'\n"

@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -58,7 +59,7 @@ inline bool prepare(const fs::path& folder) {
                            " LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\" OMPI_ALLOW_RUN_AS_ROOT=1 "
                            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_ess_singleton_isolated=1 "
                            "OMPI_MCA_orte_create_session_dirs=0 bash prepare.sh " +
-                           quoted(STROMA_EXECUTABLE) + " > /dev/null";
+                           quoted(stroma_program()) + " > /dev/null";
   return std::system(line.c_str()) == 0;
 }
 

@@ -73,10 +73,9 @@ class BoundaryPointMaker {
     const auto& second = problem_.conditions[static_cast<std::size_t>(b.condition)];
     for (int c = 0; c < 3; ++c) {
       if (!(a.components & b.components & 1 << c)) continue;
-      if (!agree({first.second, edge}, {second.second, edge}, c, body_.origin, length_))
-        throw base::InputError(conflict(first.first, second.first, c, edge,
-                                        first.second.full(c, edge, body_.origin, length_),
-                                        second.second.full(c, edge, body_.origin, length_)));
+      if (const auto found =
+              disagreement({first.second, edge}, {second.second, edge}, c, body_.origin, length_))
+        throw base::InputError(conflict(first.first, second.first, c, edge, *found));
     }
   }
 

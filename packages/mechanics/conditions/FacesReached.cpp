@@ -3,46 +3,43 @@
 #include "stroma/mechanics/conditions/FacesReached.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/particles/UndeformedPositions.hpp"
 
 namespace stroma::mechanics {
-namespace {
 
-/// (face) Whether a particle is in the outermost layer; where its thickness is not known (0), taken
-/// for granted.
-std::array<bool, 6> reached_faces(const base::Communicator& communicator, const Problem& problem,
-                                  const particles::Particles<grid::Device>& particles) {
-  Kokkos::Array<double, 6> face{};
-  Kokkos::Array<double, 3> thickness{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    thickness[d] = problem.outer_thickness[d];
-    face[2 * d] = problem.body.origin[d];
-    face[2 * d + 1] = problem.body.origin[d] + problem.body.length(static_cast<int>(d));
+std::array<double, 6> filled_shares_of_faces(const base::Communicator& communicator,
+                                             const grid::Grid& box,
+                                             const std::array<double, 3>& outer_thickness,
+                                             const particles::Particles<grid::Device>& particles) {
+  const auto X = particles::undeformed_positions(particles);
+  const auto V = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), particles.volume);
+  std::array<double, 6> shares{};
+  for (std::size_t p = 0; p < X.size(); ++p)
+    for (std::size_t face = 0; face < 6; ++face) {
+      const std::size_t d = face / 2;
+      const double at = box.origin[d] + (face % 2 == 1 ? box.length(static_cast<int>(d)) : 0.0);
+      if (std::abs(X[p][d] - at) <= outer_thickness[d]) shares[face] += V(p);
+    }
+  communicator.sum_all(shares.data(), shares.size());
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t d = face / 2;
+    shares[face] /= outer_thickness[d] * box.length(static_cast<int>((d + 1) % 3)) *
+                    box.length(static_cast<int>((d + 2) % 3));
   }
-  int bits = 0;
-  Kokkos::parallel_reduce(
-      "faces reached", Kokkos::RangePolicy<grid::ExecutionSpace>(0, particles.count()),
-      KOKKOS_LAMBDA(const int p, int& found) {
-        for (int f = 0; f < 6; ++f)
-          if (fabs(face[f] - particles.undeformed_position(p, f / 2)) <= thickness[f / 2])
-            found |= 1 << f;
-      },
-      Kokkos::BOr<int>(bits));
-  std::array<bool, 6> reached{};
-  for (std::size_t f = 0; f < 6; ++f)
-    reached[f] = thickness[f / 2] <= 0.0 || communicator.any((bits >> f & 1) != 0);
-  return reached;
+  return shares;
 }
-
-}  // namespace
 
 void refuse_faces_out_of_reach(const base::Communicator& communicator, const Problem& problem,
                                const particles::Particles<grid::Device>& particles) {
-  const auto reached = reached_faces(communicator, problem, particles);
+  const auto shares =
+      filled_shares_of_faces(communicator, problem.body, problem.outer_thickness, particles);
   const auto look_at = [&](Face face, const std::string& where) {
-    if (face != Face::all && !reached[static_cast<std::size_t>(face)])
+    const bool is_known = problem.outer_thickness[static_cast<std::size_t>(axis_of(face))] > 0.0;
+    if (face != Face::all && is_known && shares[static_cast<std::size_t>(face)] == 0.0)
       throw base::InputError(no_particle_at(where));
   };
   for (const auto& [name, condition] : problem.conditions)

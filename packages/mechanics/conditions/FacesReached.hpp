@@ -5,11 +5,22 @@
 /// \file
 /// Whether the body reaches the faces of its box, at which it is held and loaded.
 
+#include <array>
+
 #include "stroma/base/Communicator.hpp"
 #include "stroma/mechanics/problem/Problem.hpp"
 #include "stroma/particles/Particles.hpp"
 
 namespace stroma::mechanics {
+
+/// (face) Which share of the layer next to each face of the box is filled, one layer of particles
+/// thick: the volume of the particles whose centres lay in it in the undeformed body, by that of the
+/// layer [1]. Collective.
+/// \param outer_thickness  of the layers across each axis [um], above 0; across an axis where it is 0, no share is known (NaN)
+std::array<double, 6> filled_shares_of_faces(const base::Communicator& communicator,
+                                             const grid::Grid& box,
+                                             const std::array<double, 3>& outer_thickness,
+                                             const particles::Particles<grid::Device>& particles);
 
 /// Refuses conditions and tractions at faces that no particle of the undeformed body reaches, with a
 /// box around it in the outermost layer there (Problem::outer_thickness). The box is the image's,

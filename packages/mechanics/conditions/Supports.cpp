@@ -167,18 +167,18 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
           if (by == conditions_) {
             by = m;
             X_by = X;
-          } else if (!agree({condition_of(by), X_by}, {condition, X}, c, body.origin, length)) {
-            throw base::InputError(conflict(name_of(by), name_of(m), c, x,
-                                            condition_of(by).full(c, X_by, body.origin, length),
-                                            condition.full(c, X, body.origin, length)));
+          } else if (const auto found = disagreement({condition_of(by), X_by}, {condition, X}, c,
+                                                     body.origin, length)) {
+            throw base::InputError(conflict(name_of(by), name_of(m), c, x, *found));
           }
         }
         const bool is_moved = by >= 0 && by < conditions_;
         if (grid.flat && c == 2 && node_is_active) {
-          if (is_moved && !agree({condition_of(by), X_by}, {{}, X_by}, c, body.origin, length))
-            throw base::InputError(conflict(
-                name_of(by), "", c, x, condition_of(by).full(c, X_by, body.origin, length), 0.0));
-          if (!is_moved) by = plane_strain;
+          if (!is_moved)
+            by = plane_strain;
+          else if (const auto found =
+                       disagreement({condition_of(by), X_by}, {{}, X_by}, c, body.origin, length))
+            throw base::InputError(conflict(name_of(by), "", c, x, *found));
         }
         if (by == conditions_) continue;
         held_owned_[n] = static_cast<std::uint8_t>(held_owned_[n] | 1u << c);

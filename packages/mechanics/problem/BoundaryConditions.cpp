@@ -178,26 +178,27 @@ int BoundaryCondition::loaded_component(const std::array<double, 3>& length) con
   return loaded;
 }
 
-bool agree(const ConditionAt& a, const ConditionAt& b, int component, const Vector& corner,
-           const Vector& length) {
+std::optional<Disagreement> disagreement(const ConditionAt& a, const ConditionAt& b, int component,
+                                         const Vector& corner, const Vector& length) {
   const double negligible = 1e-12 * *std::max_element(length.begin(), length.end());
-  const auto differ = [&](double load) {
-    return std::abs(a.condition.value(component, a.X, corner, length, load) -
-                    b.condition.value(component, b.X, corner, length, load)) > negligible;
-  };
   // A full turn is no motion at full load, and a curve may come back to where it was.
-  const double loads[] = {0.037, 0.21, 0.37, 0.52, 0.68, 0.83, 1.0};
-  return std::none_of(std::begin(loads), std::end(loads), differ);
+  for (const double load : {1.0, 0.037, 0.21, 0.37, 0.52, 0.68, 0.83}) {
+    const Disagreement found{load, a.condition.value(component, a.X, corner, length, load),
+                             b.condition.value(component, b.X, corner, length, load)};
+    if (std::abs(found.a - found.b) > negligible) return found;
+  }
+  return std::nullopt;
 }
 
 std::string conflict(const std::string& first, const std::string& second, int component,
-                     const std::array<double, 3>& x, double a, double b) {
+                     const std::array<double, 3>& x, const Disagreement& found) {
   return base::format(
       "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at "
-      "their common point (%g, %g, %g) um; admissible: equal values, or %c left out of the "
+      "their common point (%g, %g, %g) um%s; admissible: equal values, or %c left out of the "
       "Components of one of them",
-      first.c_str(), "xyz"[component], a,
-      second.empty() ? "plane strain" : ("\"" + second + "\"").c_str(), b, x[0], x[1], x[2],
+      first.c_str(), "xyz"[component], found.a,
+      second.empty() ? "plane strain" : ("\"" + second + "\"").c_str(), found.b, x[0], x[1], x[2],
+      found.load == 1.0 ? "" : base::format(" at %g of the load", found.load).c_str(),
       "xyz"[component]);
 }
 

@@ -151,19 +151,25 @@ struct ConditionAt {
   const std::array<double, 3>& X;
 };
 
-/// Whether two conditions want the same displacement component at all loads.
+/// What two conditions want of one displacement component at a load at which they differ.
+struct Disagreement {
+  double load, a, b;  ///< [1], [um]
+};
+
+/// Where two conditions do not want the same displacement component at all loads.
 ///
 /// \param a, b       the conditions, each where it has the point
 /// \param component  0, 1, 2 for x, y, z
 /// \param corner     lowest corner of the body's box [um]
 /// \param length     edges of the body's box [um]
-bool agree(const ConditionAt& a, const ConditionAt& b, int component,
-           const std::array<double, 3>& corner, const std::array<double, 3>& length);
+std::optional<Disagreement> disagreement(const ConditionAt& a, const ConditionAt& b, int component,
+                                         const std::array<double, 3>& corner,
+                                         const std::array<double, 3>& length);
 
-/// What to tell the user when two conditions (or one, and plane strain: second = "") prescribe
-/// different displacements a and b [um] of one component at a point x [um].
+/// What to tell the user when two conditions (or one, and plane strain: second = "") disagree on a
+/// component at a point x [um].
 std::string conflict(const std::string& first, const std::string& second, int component,
-                     const std::array<double, 3>& x, double a, double b);
+                     const std::array<double, 3>& x, const Disagreement& found);
 /// What to tell the user when the face of a condition or a traction has no particle.
 std::string no_particle_at(const std::string& section);
 

@@ -15,12 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path corpus = fs::path(STROMA_SOURCE_DIR) / "tests" / "decks" / "bad";
+const fs::path corpus = clone_folder() / "tests" / "decks" / "bad";
 
 bool is_deck(const fs::path& path) {
   return path.extension() == ".xml" || path.extension() == ".yaml" || path.extension() == ".yml";

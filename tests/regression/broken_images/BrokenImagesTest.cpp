@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -36,9 +37,7 @@ std::string meta_image(const std::string& size, const std::string& values) {
          values;
 }
 
-std::string project_file(const std::string& name) {
-  return content_of(fs::path(STROMA_SOURCE_DIR) / name);
-}
+std::string project_file(const std::string& name) { return content_of(clone_folder() / name); }
 
 struct BrokenImage {
   std::string name;

@@ -20,13 +20,14 @@
 
 #include "stroma/material/AnyLaw.hpp"
 #include "support/ExodusReader.hpp"
+#include "support/Places.hpp"
 #include "support/TableRows.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path decks = fs::path(STROMA_SOURCE_DIR) / "input_decks";
+const fs::path decks = clone_folder() / "input_decks";
 constexpr double strain = 0.1;
 constexpr double vessel_ratio = 2.0;  // of both moduli, in all decks with two materials
 

@@ -10,14 +10,14 @@
 #include <cmath>
 
 #include "stroma/base/Memory.hpp"
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 #include "support/WriteStack.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path deck =
-    fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "cases" / "memory" / "long.yaml";
+const fs::path deck = clone_folder() / "tests" / "data" / "cases" / "memory" / "long.yaml";
 
 /// Bytes of "1.5 GiB" or "300 MiB" behind some words of a text; NaN without them.
 double bytes_behind(const std::string& text, const std::string& words) {
@@ -62,8 +62,8 @@ TEST(Memory, TooLargeADeckIsRefusedAtOnce) {
 // The address space of a rank: more than the program alone maps, less than this deck needs.
 TEST(Memory, ALimitOfTheAddressSpaceCounts) {
   const TemporaryFolder folder;
-  const fs::path limited = folder.write("limited.sh", "#!/bin/sh\nulimit -v 3000000\nexec " +
-                                                          quoted(STROMA_EXECUTABLE) + " \"$@\"\n");
+  const fs::path limited = folder.write(
+      "limited.sh", "#!/bin/sh\nulimit -v 3000000\nexec " + quoted(stroma_program()) + " \"$@\"\n");
   fs::permissions(limited, fs::perms::owner_all);
   const auto run = [&](const std::string& size) {
     return run_program(limited, folder.path(),

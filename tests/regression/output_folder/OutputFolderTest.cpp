@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "support/Places.hpp"
 #include "support/SmallDeck.hpp"
 
 namespace stroma::test {
@@ -187,8 +188,7 @@ TEST(PhantomFile, OnlyAPhantomIsOverwritten) {
   const std::string first = content_of(folder / "a.tif");
   ASSERT_EQ(run_stroma(folder.path(), command + "2").status, 0);
   EXPECT_NE(content_of(folder / "a.tif"), first);
-  const fs::path image =
-      fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "images" / "slice25_vessels.tif";
+  const fs::path image = clone_folder() / "tests" / "data" / "images" / "slice25_vessels.tif";
   fs::copy_file(image, folder / "a.tif", fs::copy_options::overwrite_existing);
   const Outcome refused = run_stroma(folder.path(), command + "3");
   EXPECT_EQ(refused.status, 2);

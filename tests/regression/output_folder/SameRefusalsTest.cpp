@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/Places.hpp"
 #include "support/SmallDeck.hpp"
 
 namespace stroma::test {
@@ -24,8 +25,7 @@ void expect_both_refuse(const TemporaryFolder& folder, const std::string& argume
 // V-SAME.
 TEST(CheckAndRun, RefuseNamesThatAreTooLong) {
   const TemporaryFolder folder;
-  const fs::path deck =
-      fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "cases" / "long_names" / "deck.yaml";
+  const fs::path deck = clone_folder() / "tests" / "data" / "cases" / "long_names" / "deck.yaml";
   fs::copy(deck, folder / "deck.yaml");
   expect_both_refuse(folder, "deck.yaml", "2 mistakes in deck.yaml\nline 15, Materials: the name");
   // The twin: the longest name that is admitted can be run.

@@ -11,12 +11,13 @@
 
 #include "stroma/base/Log.hpp"
 #include "stroma/output/files/ParticleReader.hpp"
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path clone = STROMA_SOURCE_DIR;
+const fs::path clone = clone_folder();
 
 /// A part of a stack of capillaries, as an image.
 std::string capillaries(const std::string& more = "") {

@@ -7,12 +7,13 @@
 
 #include <cmath>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path cases = fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "cases";
+const fs::path cases = clone_folder() / "tests" / "data" / "cases";
 
 /// What a run of a case says and leaves.
 struct Finished {

@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path cases = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/solver_lists";
+const fs::path cases = clone_folder() / "tests/data/cases/solver_lists";
 
 void expect_refused(const std::string& deck, const std::string& settings,
                     const std::string& section, const std::vector<int>& ranks) {

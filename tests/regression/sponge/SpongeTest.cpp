@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -22,8 +23,7 @@ struct SpongeRun {
 
 SpongeRun run(const std::string& settings, int ranks) {
   const TemporaryFolder folder;
-  fs::copy(fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/sponge", folder.path(),
-           fs::copy_options::recursive);
+  fs::copy(clone_folder() / "tests/data/cases/sponge", folder.path(), fs::copy_options::recursive);
   SpongeRun result{run_stroma(folder.path(), "run deck.yaml " + settings, ranks)};
   if (result.outcome.status != 0) return result;
   result.force = History(folder / "deck/history.csv")["top.reaction_z"].back();
@@ -134,7 +134,7 @@ Stabilized pull_gyroid(const TemporaryFolder& folder, int voxels, double stabili
 
 TEST(Stabilization, HasTheEffectThatTheRunStatesAndLessOnFinerGrids) {  // V-STAB-3
   const TemporaryFolder folder;
-  fs::copy(fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/sponge/deck.yaml", folder.path());
+  fs::copy(clone_folder() / "tests/data/cases/sponge/deck.yaml", folder.path());
   double coarser = 1e-3;
   for (const int voxels : {24, 48}) {
     const Stabilized half = pull_gyroid(folder, voxels, 1e-5);
@@ -178,8 +178,7 @@ History pull_slowly(const TemporaryFolder& folder, const std::string& name,
 
 TEST(Stabilization, StaysWhatItIsWhenARunGoesOn) {  // V-STAB-6
   const TemporaryFolder folder;
-  fs::copy(fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/sponge", folder.path(),
-           fs::copy_options::recursive);
+  fs::copy(clone_folder() / "tests/data/cases/sponge", folder.path(), fs::copy_options::recursive);
   const History whole = pull_slowly(folder, "whole", "[1.0, 2.0]");
   pull_slowly(folder, "part", "[1.0]");
   const History both = pull_slowly(folder, "part", "[1.0, 2.0]", "--restart");

@@ -8,12 +8,13 @@
 
 #include <fstream>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path cases = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases";
+const fs::path cases = clone_folder() / "tests/data/cases";
 const std::string contrast = " --set 'Materials|ball|Shear Modulus [Pa]=5e11'";  // 1e9
 
 Outcome run_case(const std::string& deck, const std::string& settings, int ranks = 1,
@@ -101,6 +102,22 @@ TEST(Advice, WhatHasNoEffectIsNoted) {
       "      Load Curve: slow\n");
   EXPECT_EQ(followed.find(note), std::string::npos);
   EXPECT_NE(followed.find("ready to run"), std::string::npos) << followed;
+  const TemporaryFolder folder;
+  folder.write("flat.yaml", R"(Stroma:
+  Image:
+    Phantom: {Kind: Shapes, Size: [8, 8, 1], "Voxel Size [um]": [1, 1, 1], Shapes: {}}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
+  Grid: {Elements: [4, 4, 1], Plane Strain: true}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xy}
+  External Forces:
+    weight: {"Body Force [pN/um^3]": [0, 1, 2]}
+)");
+  const std::string flat = run_stroma(folder.path(), "check flat.yaml").standard_output;
+  EXPECT_NE(flat.find("note: External Forces|weight|Body Force [pN/um^3] along z has no effect"),
+            std::string::npos)
+      << flat;
 }
 
 }  // namespace

@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases/false_convergence/base.yaml";
+const fs::path deck = clone_folder() / "tests/data/cases/false_convergence/base.yaml";
 
 Outcome run_with(const TemporaryFolder& folder, const std::string& settings, int ranks = 1,
                  const std::string& command = "run") {

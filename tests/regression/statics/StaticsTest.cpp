@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path cases = fs::path(STROMA_SOURCE_DIR) / "tests/data/cases";
+const fs::path cases = clone_folder() / "tests/data/cases";
 
 /// The case's folder, copied to where results may be written.
 void copy_case(const std::string& name, const TemporaryFolder& folder) {
@@ -91,6 +92,39 @@ TEST(Statics, AFaceThatTheBodyDoesNotReachIsRefused) {
                        "    top: {Face: y+, Components: xyz, Strain: 0.1, Imposed By: Grip}\n");
       EXPECT_EQ(run_stroma(folder.path(), "check deck.yaml", ranks).status, 0);
     }
+}
+
+// V-REACH. With the margin over a quarter of the face only, the traction acts on the rest, and the
+// run says so: the other face holds 10 Pa on 48 of 64 um^2.
+TEST(Statics, ATractionActsOnWhatTheFaceHasOfTheBody) {
+  const TemporaryFolder folder;
+  folder.write("deck.yaml", R"(Stroma:
+  Image:
+    Phantom:
+      Kind: Shapes
+      Size: [8, 8, 8]
+      "Voxel Size [um]": [1, 1, 1]
+      Shapes:
+        gap: {Kind: Box, Label: -1, "Center [um]": [1, 7.5, 4], "Size [um]": [2, 1, 10]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
+  Grid: {Elements: [4, 4, 4]}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xyz}
+  External Forces:
+    top: {Face: y+, "Traction [Pa]": [0, 10, 0]}
+  Loading: {Steps: 1}
+  Solver: {Newton Tolerance: 1.0e-10}
+)");
+  for (const int ranks : {1, 2}) {
+    const std::string out = "out" + std::to_string(ranks);
+    const Outcome outcome = run_stroma(folder.path(), "run deck.yaml -o " + out, ranks);
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    EXPECT_NE(outcome.standard_output.find("External Forces|top: the body fills 75 % of its face"),
+              std::string::npos)
+        << outcome.standard_output;
+    EXPECT_NEAR(History(folder / out / "history.csv")["bottom.reaction_y"].back(), -480.0, 1e-5);
+  }
 }
 
 /// The island's deck without the weight; label -1 for the island: without the island.

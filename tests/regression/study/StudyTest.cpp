@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -441,7 +442,7 @@ TEST(Study, HasAReference) {
 // alone is in a homogeneous state, whose force no grid changes.
 TEST(ResolutionStudy, OfInputDecks) {
   const TemporaryFolder folder;
-  const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "input_decks/06_resolution_study/study.yaml";
+  const fs::path deck = clone_folder() / "input_decks/06_resolution_study/study.yaml";
   const Outcome outcome = run_stroma(folder.path(), "study " + quoted(deck) + " -o out --quiet");
   ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
   const auto rows = rows_of(folder / "out/study.csv");

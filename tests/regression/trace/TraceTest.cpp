@@ -8,6 +8,7 @@
 #include <ctime>
 #include <regex>
 
+#include "support/Places.hpp"
 #include "support/SmallDeck.hpp"
 #include "support/WriteStack.hpp"
 
@@ -136,7 +137,7 @@ TEST_F(Trace, TheProgramSaysOfItselfWhatDeckXmlSaysOfIt) {
   EXPECT_TRUE(std::regex_match(fact(list, "commit"), std::regex("unknown|[0-9a-f]{12,}(-dirty)?")))
       << list;
   const std::string commit =
-      answer(folder_, "cd " + quoted(STROMA_SOURCE_DIR) +
+      answer(folder_, "cd " + quoted(clone_folder()) +
                           " && [[ $(git rev-parse --show-toplevel) -ef . ]] && git rev-parse HEAD");
   if (!commit.empty()) {
     EXPECT_EQ(fact(list, "commit").substr(0, 12), commit.substr(0, 12));

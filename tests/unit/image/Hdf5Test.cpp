@@ -14,6 +14,7 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/image/ReadVolume.hpp"
 #include "stroma/image/formats/Hdf5Axes.hpp"
+#include "support/Places.hpp"
 
 namespace stroma::test {
 namespace {
@@ -170,7 +171,7 @@ void expect_values(const voxels::IntensityVolume& volume, std::int64_t c = 0, st
 }
 
 std::string case_file(const std::string& name) {
-  return std::string(STROMA_SOURCE_DIR) + "/tests/data/cases/" + name;
+  return clone_folder().string() + "/tests/data/cases/" + name;
 }
 
 TEST(Hdf5, AxesAreReadAsTheyAreStated) {

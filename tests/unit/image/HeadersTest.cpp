@@ -17,6 +17,7 @@
 #include "ReadBack.hpp"
 #include "stroma/base/Log.hpp"
 #include "stroma/image/labels/Histogram.hpp"
+#include "support/Places.hpp"
 
 namespace stroma::test {
 namespace {
@@ -28,7 +29,7 @@ const Size size{5, 4, 3};
 std::string at(const std::string& name) { return folder() + "/" + name; }
 
 std::string case_file(const std::string& name) {
-  return std::string(STROMA_SOURCE_DIR) + "/tests/data/cases/" + name;
+  return clone_folder().string() + "/tests/data/cases/" + name;
 }
 
 /// Rank 0 writes; the others wait until it is there, and nobody still reads what was there before.

@@ -18,6 +18,7 @@
 #include "stroma/image/labels/Histogram.hpp"
 #include "stroma/image/labels/Objects.hpp"
 #include "stroma/image/labels/Segmentation.hpp"
+#include "support/Places.hpp"
 
 namespace stroma::test {
 namespace {
@@ -85,7 +86,7 @@ class RealImages : public ::testing::Test {
     return image::read_volume(world(), parameters, folder_, summary_);
   }
 
-  const std::string folder_ = std::string(STROMA_SOURCE_DIR) + "/tests/data/images";
+  const std::string folder_ = clone_folder().string() + "/tests/data/images";
   image::ImageSummary summary_;
 };
 

@@ -11,6 +11,7 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/image/ReadVolume.hpp"
 #include "stroma/image/labels/Segmentation.hpp"
+#include "support/Places.hpp"
 
 namespace stroma::test {
 namespace {
@@ -172,7 +173,7 @@ TEST(Segmentation, IntensitiesThatAreNotFiniteAreCountedAndTheFirstIsNamed) {
 
 TEST(Segmentation, ANanOfARealFileIsNotLabelZero) {
   image::ImageParameters parameters;
-  parameters.file = std::string(STROMA_SOURCE_DIR) + "/tests/data/cases/nan_voxel/onenan.tif";
+  parameters.file = clone_folder().string() + "/tests/data/cases/nan_voxel/onenan.tif";
   parameters.voxel_size = std::array<double, 3>{1.0, 1.0, 1.0};
   parameters.segmentation.method = Method::threshold;
   parameters.segmentation.threshold = 0.0;
@@ -182,7 +183,7 @@ TEST(Segmentation, ANanOfARealFileIsNotLabelZero) {
 TEST(Segmentation, SmoothingFarBeyondTheImageLeavesTheMean) {
   const base::Communicator world = base::Communicator::world();
   image::ImageParameters parameters;
-  parameters.file = std::string(STROMA_SOURCE_DIR) + "/tests/data/cases/smoothing/im.tif";
+  parameters.file = clone_folder().string() + "/tests/data/cases/smoothing/im.tif";
   image::ImageSummary summary;
   const voxels::IntensityVolume whole = image::read_volume(world, parameters, "", summary);
   double sum = 0.0;

@@ -16,6 +16,7 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
 #include "stroma/image/labels/Histogram.hpp"
+#include "support/Places.hpp"
 
 namespace stroma::test {
 namespace {
@@ -32,7 +33,7 @@ image::ImageParameters file(const std::string& name) {
 
 /// A file of tests/data/cases.
 image::ImageParameters case_file(const std::string& name) {
-  return file(STROMA_SOURCE_DIR "/tests/data/cases/" + name);
+  return file(clone_folder().string() + "/tests/data/cases/" + name);
 }
 
 std::string number(std::int64_t value, int bytes) {

@@ -11,13 +11,14 @@
 #include <nlohmann/json.hpp>
 
 #include "support/LoadSteps.hpp"
+#include "support/Places.hpp"
 #include "support/Specimen.hpp"
 
 namespace stroma {
 namespace {
 
 nlohmann::json reference() {
-  std::ifstream file(STROMA_SOURCE_DIR "/tests/data/reference/T2_dynamic_swing.json");
+  std::ifstream file(test::clone_folder().string() + "/tests/data/reference/T2_dynamic_swing.json");
   return nlohmann::json::parse(file);
 }
 

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -148,8 +149,7 @@ TEST(Fit, FindsItByDifferences) {
 /// Its force was made with 1041.6 Pa, and 1 % of noise.
 TEST(Fit, ExampleTellsTheModulus) {
   const TemporaryFolder folder;
-  const fs::path deck =
-      fs::path(STROMA_SOURCE_DIR) / "input_decks" / "14_fit_vessel_modulus" / "fit.yaml";
+  const fs::path deck = clone_folder() / "input_decks" / "14_fit_vessel_modulus" / "fit.yaml";
   const Outcome outcome = run_stroma(folder.path(), "fit " + quoted(deck) + " -o fit");
   ASSERT_EQ(outcome.status, 0) << outcome.standard_output << outcome.standard_error;
   EXPECT_NEAR(estimate_of(folder, "fit", 2), 1024.09, 0.05);

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -33,9 +34,7 @@ const SliceCase cases[] = {
     {"A_vessels_mu_only", 4, mu, bulk_a, 2 * mu, bulk_a, 92132.98},
 };
 
-fs::path slice() {
-  return fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "images" / "slice25_vessels.tif";
-}
+fs::path slice() { return clone_folder() / "tests" / "data" / "images" / "slice25_vessels.tif"; }
 
 std::string deck_of(const SliceCase& c) {
   std::ostringstream text;

@@ -10,12 +10,13 @@
 
 #include <cmath>
 
+#include "support/Places.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "input_decks" / "07_paper_study" / "deck.xml";
+const fs::path deck = clone_folder() / "input_decks" / "07_paper_study" / "deck.xml";
 
 /// A folder for the members, which are run once and kept for all tests.
 class PaperStudy : public ::testing::Test {

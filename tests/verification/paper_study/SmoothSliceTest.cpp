@@ -9,12 +9,13 @@
 
 #include <cmath>
 
+#include "support/Places.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
 namespace {
 
-const fs::path deck = fs::path(STROMA_SOURCE_DIR) / "input_decks" / "08_smooth_shapes" / "deck.xml";
+const fs::path deck = clone_folder() / "input_decks" / "08_smooth_shapes" / "deck.xml";
 
 /// A folder for the runs.
 class SmoothSlice : public ::testing::Test {

@@ -3,6 +3,7 @@
 #include "ReferenceCase.hpp"
 
 #include "stroma/image/formats/WriteTiff.hpp"
+#include "support/Places.hpp"
 
 namespace stroma::test {
 namespace {
@@ -135,7 +136,7 @@ std::string law_parameters(const nlohmann::json& material) {
 }  // namespace
 
 fs::path reference_file(const std::string& name) {
-  return fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "reference" / (name + ".json");
+  return clone_folder() / "tests" / "data" / "reference" / (name + ".json");
 }
 
 ReferenceCase::ReferenceCase(const std::string& file)

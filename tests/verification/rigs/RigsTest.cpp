@@ -10,6 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -142,7 +143,7 @@ TEST_F(Rigs, BiaxialStretch) {
 /// Energy and force on the upper face across y of an independent solution at full load.
 std::pair<double, double> reference(const std::string& name, std::size_t axis) {
   const auto file = nlohmann::json::parse(
-      content_of(fs::path(STROMA_SOURCE_DIR) / "tests" / "data" / "reference" / (name + ".json")));
+      content_of(clone_folder() / "tests" / "data" / "reference" / (name + ".json")));
   const auto& last = file["results"]["steps"].back();
   return {last["energy"].get<double>(), last["F_y1"][axis].get<double>()};
 }

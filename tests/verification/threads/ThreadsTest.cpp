@@ -10,6 +10,7 @@
 #include <cmath>
 #include <thread>
 
+#include "support/Places.hpp"
 #include "support/VesselBlock.hpp"
 
 namespace stroma::test {
@@ -57,7 +58,7 @@ TEST_P(ThreadsHistory, IsTheSame) {
   for (const int threads : {1, 2}) {
     const std::string out = "out" + std::to_string(threads);
     const Outcome outcome =
-        run_program(STROMA_EXECUTABLE, folder.path(),
+        run_program(stroma_program(), folder.path(),
                     "run " + quoted(path) + " -o " + out + " " + GetParam(), 1, threads);
     ASSERT_EQ(outcome.status, 0) << threads << " threads: " << outcome.standard_error;
     const std::string expected = threads == 1 ? "on 1 rank\n" : "on 1 rank of 2 threads\n";
@@ -109,7 +110,7 @@ TEST(ThreadNumber, IsWhatIsAskedFor) {
   const std::string run = "run " + quoted(path) + " --set 'Loading|Steps=1'";
   const auto told = [&](const std::string& words, int environment) {
     const Outcome outcome =
-        run_program(STROMA_EXECUTABLE, folder.path(), run + words, 1, environment);
+        run_program(stroma_program(), folder.path(), run + words, 1, environment);
     EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
     return threads_told(outcome.standard_output);
   };
@@ -138,7 +139,7 @@ TEST(ThreadNumber, IsAnEqualShareOfTheProcessors) {
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
   for (const int ranks : {1, 2}) {
     const Outcome outcome =
-        run_program(STROMA_EXECUTABLE, folder.path(),
+        run_program(stroma_program(), folder.path(),
                     "run " + quoted(path) + " --set 'Loading|Steps=1'", ranks, 0);
     ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
     const int threads = std::max(1, processors / ranks);
@@ -156,7 +157,7 @@ TEST(ThreadNumber, TooManyAreNoted) {
   const fs::path path = folder.write("block.yaml", deck);
   const auto processors = static_cast<int>(std::thread::hardware_concurrency());
   const Outcome outcome =
-      run_program(STROMA_EXECUTABLE, folder.path(),
+      run_program(stroma_program(), folder.path(),
                   "run " + quoted(path) + " --set 'Loading|Steps=1'", 1, processors + 1);
   EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
   EXPECT_NE(outcome.standard_output.find("fewer threads (OMP_NUM_THREADS)"), std::string::npos)
