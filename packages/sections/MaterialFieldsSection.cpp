@@ -65,9 +65,10 @@ void check_fields(const MaterialParameters& p, deck::Findings& findings) {
     const std::string where = "Fields|" + name + "|";
     const auto found = std::find(names.begin(), names.end(), field.parameter);
     if (found == names.end()) {
-      findings.add(where + "Parameter", "found \"" + field.parameter +
-                                            "\", which is no number of the material that may vary; " +
-                                            deck::suggestion(field.parameter, names));
+      findings.add(where + "Parameter",
+                   "found \"" + field.parameter +
+                       "\", which is no number of the material that may vary; " +
+                       deck::suggestion(field.parameter, names));
       continue;
     }
     const Range& range = numbers[static_cast<std::size_t>(found - names.begin())].admissible;
