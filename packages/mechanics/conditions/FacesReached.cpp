@@ -37,10 +37,14 @@ void refuse_faces_out_of_reach(const base::Communicator& communicator, const Pro
                                const particles::Particles<grid::Device>& particles) {
   const auto shares =
       filled_shares_of_faces(communicator, problem.body, problem.outer_thickness, particles);
-  const auto look_at = [&](Face face, const std::string& where) {
-    const bool is_known = problem.outer_thickness[static_cast<std::size_t>(axis_of(face))] > 0.0;
-    if (face != Face::all && is_known && shares[static_cast<std::size_t>(face)] == 0.0)
-      throw base::InputError(no_particle_at(where));
+  const auto look_at = [&](Face wanted, const std::string& where) {
+    for (std::size_t f = 0; f < shares.size(); ++f) {
+      const auto face = static_cast<Face>(f);
+      const bool is_known = problem.outer_thickness[f / 2] > 0.0;
+      if ((wanted == Face::all || wanted == face) && is_known && shares[f] == 0.0)
+        throw base::InputError(
+            no_particle_at(where, wanted == Face::all ? name_of(face) : "this face"));
+    }
   };
   for (const auto& [name, condition] : problem.conditions)
     if (problem.imposed_by(condition) != ImposedBy::grip)

@@ -16,6 +16,11 @@ int axis_of(Face face) { return face == Face::all ? -1 : static_cast<int>(face) 
 
 bool is_upper(Face face) { return face != Face::all && static_cast<int>(face) % 2 == 1; }
 
+std::string name_of(Face face) {
+  if (face == Face::all) return "all";
+  return {"xyz"[axis_of(face)], is_upper(face) ? '+' : '-'};
+}
+
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -202,9 +207,9 @@ std::string conflict(const std::string& first, const std::string& second, int co
       "xyz"[component]);
 }
 
-std::string no_particle_at(const std::string& section) {
-  return section +
-         "|Face: there is no particle at this face; admissible: a face at which the image has a label "
+std::string no_particle_at(const std::string& section, const std::string& face) {
+  return section + "|Face: there is no particle at " + face +
+         "; admissible: a face at which the image has a label "
          "other than -1 (empty). Image|Region leaves out a margin around the body";
 }
 

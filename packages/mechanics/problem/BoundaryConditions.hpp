@@ -28,6 +28,8 @@ inline Face face_of(int axis, bool is_upper) {
 int axis_of(Face face);
 /// Whether the face is the upper one of its axis.
 bool is_upper(Face face);
+/// As decks name it: "x-", "x+", ... "all".
+std::string name_of(Face face);
 
 /// The ends of a load step along which prescribed displacements go straight from where they were to
 /// where they shall be. Schemes that have the balance within a step take displacements from there to
@@ -170,8 +172,9 @@ std::optional<Disagreement> disagreement(const ConditionAt& a, const ConditionAt
 /// component at a point x [um].
 std::string conflict(const std::string& first, const std::string& second, int component,
                      const std::array<double, 3>& x, const Disagreement& found);
-/// What to tell the user when the face of a condition or a traction has no particle.
-std::string no_particle_at(const std::string& section);
+/// What to tell the user when the face of a condition or a traction, or one of all faces, has no
+/// particle.
+std::string no_particle_at(const std::string& section, const std::string& face = "this face");
 
 struct BoundaryConditionsParameters {
   NamedConditions conditions;

@@ -9,11 +9,8 @@ namespace stroma::mechanics {
 namespace {
 
 constexpr const char* axis_names = "xyz";
-const char* const face_names[] = {"x-", "x+", "y-", "y+", "z-", "z+"};
 
-Face face_on(int axis, bool upper) { return static_cast<Face>(2 * axis + (upper ? 1 : 0)); }
-
-Face opposite(Face face) { return face_on(axis_of(face), !is_upper(face)); }
+Face opposite(Face face) { return face_of(axis_of(face), !is_upper(face)); }
 
 std::string along(int axis) { return std::string(1, axis_names[axis]); }
 
@@ -54,9 +51,8 @@ NamedConditions confined_compression(const RigParameters& p) {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool upper : {false, true})
       if (axis != axis_of(*p.face)) {
-        const Face wall = face_on(axis, upper);
-        conditions.emplace_back(std::string("wall_") + face_names[static_cast<int>(wall)],
-                                hold(wall, along(axis)));
+        const Face wall = face_of(axis, upper);
+        conditions.emplace_back("wall_" + name_of(wall), hold(wall, along(axis)));
       }
   return conditions;
 }
@@ -79,9 +75,8 @@ NamedConditions simple_shear(const RigParameters& p) {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool upper : {false, true})
       if (axis != normal) {
-        sheared.face = face_on(axis, upper);
-        conditions.emplace_back(std::string("wall_") + face_names[static_cast<int>(*sheared.face)],
-                                sheared);
+        sheared.face = face_of(axis, upper);
+        conditions.emplace_back("wall_" + name_of(*sheared.face), sheared);
       }
   return conditions;
 }
@@ -93,10 +88,10 @@ NamedConditions biaxial(const RigParameters& p) {
     const auto of_axis = [n](const auto& both) {
       return both ? std::optional<double>((*both)[n]) : std::nullopt;
     };
-    conditions.emplace_back("held_" + along(axis), hold(face_on(axis, false), along(axis)));
+    conditions.emplace_back("held_" + along(axis), hold(face_of(axis, false), along(axis)));
     conditions.emplace_back(
         "moved_" + along(axis),
-        pull(face_on(axis, true), along(axis), of_axis(p.strains), of_axis(p.displacements)));
+        pull(face_of(axis, true), along(axis), of_axis(p.strains), of_axis(p.displacements)));
   }
   return conditions;
 }

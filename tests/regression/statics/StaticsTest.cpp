@@ -86,6 +86,10 @@ TEST(Statics, AFaceThatTheBodyDoesNotReachIsRefused) {
       EXPECT_NE(outcome.standard_error.find("|top|Face: there is no particle at this face"),
                 std::string::npos)
           << outcome.standard_error;
+      folder.write("deck.yaml", deck + "    skin: {Face: all, Components: z}\n");
+      EXPECT_NE(run_stroma(folder.path(), "run deck.yaml", ranks)
+                    .standard_error.find("|skin|Face: there is no particle at y+"),
+                std::string::npos);
       folder.write("deck.yaml",
                    deck +
                        "    side: {Face: x-, Components: x}\n"
