@@ -52,23 +52,19 @@ struct Variant {
 
 class DynamicRuns : public ::testing::TestWithParam<Variant> {};
 
-// The same history on 1, 2 and 4 ranks, and in two parts of which the second has other ranks.
+// The same history on 1 and 2 ranks, and in two parts of which the second has 4.
 TEST_P(DynamicRuns, DoNotDependOnRanksOrPauses) {
   const TemporaryFolder folder;
   const auto& [name, grid, loading] = GetParam();
   const History whole = run_deck(folder, "whole", jerked(grid, loading, 8));
-  for (const int ranks : {2, 4}) {
-    const std::string out = "ranks" + std::to_string(ranks);
-    EXPECT_LT(difference(whole, run_deck(folder, out, jerked(grid, loading, 8), ranks)), 1e-10)
-        << ranks;
-  }
+  EXPECT_LT(difference(whole, run_deck(folder, "ranks", jerked(grid, loading, 8), 2)), 1e-10);
   run_deck(folder, "part", jerked(grid, loading, 4));
   folder.write("part.yaml", jerked(grid, loading, 8));
-  const Outcome outcome = run_stroma(folder.path(), "run part.yaml -o part --quiet --restart", 2);
+  const Outcome outcome = run_stroma(folder.path(), "run part.yaml -o part --quiet --restart", 4);
   ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
   EXPECT_LT(difference(whole, History(folder / "part/history.csv")), 1e-10);
   EXPECT_EQ(run_stroma(folder.path(), "verify part").status, 0);
-  const ExodusReader particles(folder / "part/particles.e.2.0");
+  const ExodusReader particles(folder / "part/particles.e.4.0");
   EXPECT_GT(particles.steps(), 8);
 }
 

@@ -110,7 +110,8 @@ TEST(AxisLayout, VoxelCentresAreTheVoxelsCentres) {
   }
 }
 
-// Bit for bit: what was right on the voxels' own centres stays as it was.
+// To rounding, for compilers fuse products and sums where they like: what was right on the voxels'
+// own centres stays as it was.
 TEST(AxisLayout, WholeNumbersOfVoxelsAnElementAreNotCut) {
   for (const std::int64_t elements : {1, 3, 50, 331})
     for (const std::int64_t per_element : {2, 3, 5, 8})
@@ -124,8 +125,9 @@ TEST(AxisLayout, WholeNumbersOfVoxelsAnElementAreNotCut) {
           ASSERT_EQ(axis.total, voxels * n);
           for (std::int64_t point = 0; point < axis.total; ++point) {
             const auto p = static_cast<std::size_t>(point);
-            ASSERT_EQ(axis.position[p],
-                      grid.origin[0] + (static_cast<double>(point) + 0.5) / n * voxel);
+            ASSERT_NEAR(axis.position[p],
+                        grid.origin[0] + (static_cast<double>(point) + 0.5) / n * voxel,
+                        1e-15 * (static_cast<double>(voxels) * voxel + 3.7));
             ASSERT_EQ(axis.length[p], voxel / n);
             ASSERT_EQ(axis.half_edge[p], 0.5 * (voxel / n));
           }

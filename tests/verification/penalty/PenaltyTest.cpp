@@ -238,7 +238,8 @@ TEST_P(PenaltyOf, SpringsThatPullOnTakeFewIterations) {
     if (n > 0) most = std::max(most, so_far - last);
     last = so_far;
   });
-  for (int step = 1; step <= 6; ++step) {
+  const int steps = world().size() == 1 ? 6 : 2;  // more ranks: that they count the same
+  for (int step = 1; step <= steps; ++step) {
     solver::begin_step(body, newton);
     grid::Vector trial(body.balance().owned_map());
     solver::solve_step(body, newton, step / 6.0, trial);
