@@ -3,5 +3,5 @@
 # processor. Options rather than variables, whose names change from Open MPI 4 to 5 to 6.
 mpirun=(mpirun --oversubscribe --bind-to none)
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
-# Ranks of one machine need no network, and Open MPI 5 complains of some that it cannot use.
-export OMPI_MCA_btl=^tcp
+# As cmake/StromaTest.cmake says.
+export OMPI_MCA_btl=^tcp,ofi

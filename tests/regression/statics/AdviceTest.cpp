@@ -105,7 +105,11 @@ TEST(Advice, WhatHasNoEffectIsNoted) {
   const TemporaryFolder folder;
   folder.write("flat.yaml", R"(Stroma:
   Image:
-    Phantom: {Kind: Shapes, Size: [8, 8, 1], "Voxel Size [um]": [1, 1, 1], Shapes: {}}
+    Phantom:
+      Kind: Shapes
+      Size: [8, 8, 1]
+      "Voxel Size [um]": [1, 1, 1]
+      Shapes: {ball: {Kind: Ball, Label: 0, "Center [um]": [4, 4, 0.5], "Radius [um]": 1}}
   Materials:
     gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
   Grid: {Elements: [4, 4, 1], Plane Strain: true}
