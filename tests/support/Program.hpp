@@ -61,8 +61,8 @@ inline Outcome run_program(const fs::path& program, const fs::path& folder,
       "OMPI_MCA_mpi_yield_when_idle=1 ";
   if (threads > 0) line += "OMP_NUM_THREADS=" + std::to_string(threads) + " ";
   if (ranks > 1) {  // on one machine, so no network either: Open MPI 5 complains of some of them
-    line += "OMPI_MCA_btl=^tcp,ofi mpirun --oversubscribe --bind-to none -np " + std::to_string(ranks) +
-            " ";
+    line += "OMPI_MCA_btl=^tcp,ofi mpirun --oversubscribe --bind-to none -np " +
+            std::to_string(ranks) + " ";
   } else {  // one rank needs no daemon and no network
     line +=
         "OMPI_MCA_ess_singleton_isolated=1 OMPI_MCA_orte_create_session_dirs=0 OMPI_MCA_pml=ob1 "
