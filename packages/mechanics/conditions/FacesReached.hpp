@@ -14,9 +14,9 @@
 namespace stroma::mechanics {
 
 /// (face) Which share of the layer next to each face of the box is filled, one layer of particles
-/// thick: the volume of the particles whose centres lay in it in the undeformed body, by that of the
-/// layer [1]. Collective.
-/// \param outer_thickness  of the layers across each axis [um], above 0; across an axis where it is 0, no share is known (NaN)
+/// thick (outer_thickness across each axis [um]): the volume of the particles whose centres lay in
+/// it in the undeformed body, by that of the layer [1]; NaN where the thickness is 0, not known.
+/// Collective.
 std::array<double, 6> filled_shares_of_faces(const base::Communicator& communicator,
                                              const grid::Grid& box,
                                              const std::array<double, 3>& outer_thickness,
