@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 #include "stroma/base/Log.hpp"
 #include "stroma/tensor/Tensor3.hpp"

@@ -56,23 +56,31 @@ TEST(Statics, ABodyInTwoPiecesBetweenItsGripsIsRefused) {
                  {"Boundary Conditions|top", "strains nothing"});
 }
 
-// V-REACH. A layer of empty voxels at the upper y face, thinner than an element: what is held or
-// pulled there is told from what the body reaches.
-TEST(Statics, AFaceThatTheBodyDoesNotReachIsRefused) {
-  const std::string deck = R"(Stroma:
+/// A block of 8 um that is held by its lower y face, without the outermost layer of voxels at the upper
+/// one along x from 0 to `gap` [um].
+std::string block_with_gap(int gap) {
+  return R"(Stroma:
   Image:
     Phantom:
       Kind: Shapes
       Size: [8, 8, 8]
       "Voxel Size [um]": [1, 1, 1]
       Shapes:
-        margin: {Kind: Box, Label: -1, "Center [um]": [4, 7.5, 4], "Size [um]": [10, 1, 10]}
+        gap: {Kind: Box, Label: -1, "Center [um]": [)" +
+         std::to_string(0.5 * gap) + R"(, 7.5, 4], "Size [um]": [)" + std::to_string(gap) +
+         R"(, 1, 10]}
   Materials:
     gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
   Grid: {Elements: [4, 4, 4]}
   Boundary Conditions:
     bottom: {Face: y-, Components: xyz}
 )";
+}
+
+// V-REACH. A layer of empty voxels at the upper y face, thinner than an element: what is held or
+// pulled there is told from what the body reaches.
+TEST(Statics, AFaceThatTheBodyDoesNotReachIsRefused) {
+  const std::string deck = block_with_gap(8);
   const std::vector<std::string> unreached{
       "    top: {Face: y+, Components: xyz, Strain: 0.1}\n",
       "    top: {Face: y+, Components: xyz, Strain: 0.1, Imposed By: Penalty}\n",
@@ -102,20 +110,7 @@ TEST(Statics, AFaceThatTheBodyDoesNotReachIsRefused) {
 // run says so: the other face holds 10 Pa on 48 of 64 um^2.
 TEST(Statics, ATractionActsOnWhatTheFaceHasOfTheBody) {
   const TemporaryFolder folder;
-  folder.write("deck.yaml", R"(Stroma:
-  Image:
-    Phantom:
-      Kind: Shapes
-      Size: [8, 8, 8]
-      "Voxel Size [um]": [1, 1, 1]
-      Shapes:
-        gap: {Kind: Box, Label: -1, "Center [um]": [1, 7.5, 4], "Size [um]": [2, 1, 10]}
-  Materials:
-    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
-  Grid: {Elements: [4, 4, 4]}
-  Boundary Conditions:
-    bottom: {Face: y-, Components: xyz}
-  External Forces:
+  folder.write("deck.yaml", block_with_gap(2) + R"(  External Forces:
     top: {Face: y+, "Traction [Pa]": [0, 10, 0]}
   Loading: {Steps: 1}
   Solver: {Newton Tolerance: 1.0e-10}
