@@ -8,7 +8,7 @@
 namespace stroma::multigrid {
 namespace {
 
-constexpr double raised = 1e-6;  // of the diagonal
+constexpr double least_raise = 1e-6, next_raise = 100.0, most_raise = 100.0;  // of the diagonal
 
 /// Nodes per direction, and the order of directions from the shortest.
 std::array<std::int64_t, 3> node_counts(const grid::LevelGrid& grid) {
@@ -21,12 +21,23 @@ std::size_t half_band(const grid::LevelGrid& grid) {
   return static_cast<std::size_t>(3 * (counts[0] * counts[1] + counts[0] + 1) + 2);
 }
 
-/// Adds to a band matrix and solves with it in place; L L^T = A, A(j + r, j) at values[j (b + 1) +
-/// r].
-void cholesky(std::vector<double>& values, std::size_t unknowns, std::size_t band) {
+/// Factorises A + raise D, D the diagonal of a band matrix, in place: L L^T, A(j + r, j) at values[j
+/// (b + 1) + r]. If no direction of A is negative no pivot is below raise D: at the first below half
+/// of that it gives up.
+///
+/// \return whether it did not
+bool cholesky(std::vector<double>& values, std::size_t unknowns, std::size_t band, double raise) {
   const std::size_t pitch = band + 1;
+  std::vector<double> smallest(unknowns);
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    double& diagonal = values[j * pitch];
+    if (!(diagonal > 0.0)) diagonal = 1.0;
+    smallest[j] = 0.5 * raise * diagonal;
+    diagonal *= 1.0 + raise;
+  }
   for (std::size_t j = 0; j < unknowns; ++j) {
     double* const column = &values[j * pitch];
+    if (!(column[0] >= smallest[j])) return false;
     column[0] = std::sqrt(column[0]);
     const std::size_t last = std::min(band, unknowns - 1 - j);
     for (std::size_t r = 1; r <= last; ++r) column[r] /= column[0];
@@ -38,6 +49,7 @@ void cholesky(std::vector<double>& values, std::size_t unknowns, std::size_t ban
       for (std::size_t r = 0; r <= last - s; ++r) target[r] -= factor * source[r];
     }
   }
+  return true;
 }
 
 }  // namespace
@@ -69,6 +81,14 @@ std::int64_t CoarsestGrid::unknown(const std::array<std::int64_t, 3>& node, int 
 }
 
 void CoarsestGrid::factorize(const tangent::Stencil& stencil, const grid::BoxExchange& exchange) {
+  for (double raise = least_raise; raise <= most_raise; raise *= next_raise) {
+    assemble(stencil, exchange);
+    const bool is_definite = cholesky(factor_, unknowns_, band_, raise);
+    if (!exchange.communicator().any(!is_definite)) return;
+  }
+}
+
+void CoarsestGrid::assemble(const tangent::Stencil& stencil, const grid::BoxExchange& exchange) {
   const grid::LevelGrid& grid = exchange.grid();
   const transfer::StencilLayout& layout = stencil.layout();
   const std::size_t pitch = band_ + 1;
@@ -98,11 +118,6 @@ void CoarsestGrid::factorize(const tangent::Stencil& stencil, const grid::BoxExc
   for (std::size_t begin = 0; begin < factor_.size(); begin += 1 << 24)  // counts are ints
     exchange.communicator().sum_all(&factor_[begin],
                                     std::min<std::size_t>(1 << 24, factor_.size() - begin));
-  for (std::size_t n = 0; n < unknowns_; ++n) {
-    double& diagonal = factor_[n * pitch];
-    diagonal = diagonal > 0.0 ? (1.0 + raised) * diagonal : 1.0;
-  }
-  cholesky(factor_, unknowns_, band_);
 }
 
 void CoarsestGrid::solve(const grid::NodeField<float>& b, const grid::NodeField<float>& x,

@@ -19,7 +19,9 @@ namespace stroma::multigrid {
 /// entries beside the diagonal: n b doubles and n b^2 operations.
 ///
 /// Whatever the operator, the factors are those of a positive definite one: the diagonal is raised
-/// by a millionth, which keeps parts of the body that hang free from being singular.
+/// by a millionth, which keeps parts of the body that hang free from being singular, and by a
+/// hundred times more until all pivots say so. A body between plates whose sides are pressed, as by
+/// the first iterates of a step, gives way to a rotation about its axis.
 class CoarsestGrid {
  public:
   /// Operations that factorising a level takes.
@@ -36,6 +38,7 @@ class CoarsestGrid {
              const grid::BoxExchange& exchange) const;
 
  private:
+  void assemble(const tangent::Stencil& stencil, const grid::BoxExchange& exchange);
   std::int64_t unknown(const std::array<std::int64_t, 3>& node, int component) const;
 
   std::array<std::int64_t, 3> stride_;  // of node numbers

@@ -126,6 +126,8 @@ LinearResult LinearSolver::run_belos(const Preconditioner& preconditioner,
   }
   result.iterations = manager.getNumIters();
   result.achieved = manager.achievedTol();
+  // A residual that is not a number: Trilinos 13 throws, 16 returns early, with nothing solved.
+  result.indefinite = !result.converged && result.iterations < list->get<int>("Maximum Iterations");
   total_iterations_ += result.iterations;
   return result;
 }

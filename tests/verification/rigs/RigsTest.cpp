@@ -130,6 +130,21 @@ TEST_F(Rigs, UnconfinedCompressionWithReset) {
   }
 }
 
+// Its first iterates press on the free sides of the body, which then gives way to a rotation about
+// its axis: the preconditioner has to stay definite.
+TEST_F(Rigs, APressedBodyKeepsItsMultigrid) {
+  const std::string block = "Kind: Uniform, Size: [32, 32, 32], 'Voxel Size [um]': [1.05, 1.05, 1]";
+  const History history = run(
+      deck("Kind: Unconfined Compression, Face: z-, Strain: -0.3", "Elements: [16, 16, 16]", block),
+      2);
+  for (std::size_t s = 1; s <= 4; ++s) {
+    EXPECT_LE(history["linear_iterations"][s], 40) << "step " << s;
+    EXPECT_EQ(history["load"][s], 0.25 * static_cast<double>(s));
+  }
+  EXPECT_NEAR(force_at(history, "moved", 2, 4), 16.0 * -nominal_stress({0.7, 1, 1}, 1) * area(2),
+              1e-9 * 16.0 * area(2) * std::abs(nominal_stress({0.7, 1, 1}, 1)));
+}
+
 // V-RIG-1. Two stretches at once, the third direction free.
 TEST_F(Rigs, BiaxialStretch) {
   const History history = run(deck("Kind: Biaxial, Axes: xz, Strains: [0.1, 0.25]"), 2);
