@@ -343,8 +343,7 @@ void MomentumBalance::follow(const MomentumBalance& other) {
   if (inertia_ != nullptr) inertia_->take_step(*other.inertia_);
 }
 
-double MomentumBalance::external_power(const grid::Vector& u) {
-  const grid::Vector& v = inertia_->velocity();
+double MomentumBalance::external_power(const grid::Vector& u, const grid::Vector& v) {
   // At prescribed components what is unbalanced is the force of the supports.
   grid::Vector free(v, Teuchos::Copy);
   supports_->clear(free);

@@ -68,7 +68,8 @@ Inertia::Inertia(const Body& body, double load)
       from_(body.halo().owned_map()),
       velocity_(body.halo().owned_map()),
       acceleration_(body.halo().owned_map()),
-      prescribed_(body.halo().owned_map()) {
+      prescribed_(body.halo().owned_map()),
+      arriving_(body.halo().owned_map()) {
   const std::vector<double>& density = body.problem().density;
   if (density.size() != body.problem().laws.size())
     throw base::InputError(
@@ -190,6 +191,13 @@ void Inertia::carry(const grid::Vector& nodal, const NodeView& field) const {
   body_.kernels().add_at_particles(body_.points(nodal), field);
 }
 
+void Inertia::carry_difference(const grid::Vector& from, const grid::Vector& to,
+                               const NodeView& field) const {
+  grid::Vector difference(to, Teuchos::Copy);
+  difference.update(-1.0, from, 1.0);
+  carry(difference, field);
+}
+
 grid::NodeView Inertia::carried_by(const grid::Vector& nodal) const {
   const NodeView field("carried", body_.particles().volume.extent(0));
   carry(nodal, field);
@@ -221,11 +229,15 @@ void Inertia::follow(const Supports& supports) {
     supports.clear(idle);
     has_idle_nodes_ = idle.normInf() > 0.0;
   }
+  const bool is_first = supports_ == nullptr;
   supports_ = &supports;
+  const grid::Vector before(velocity_, Teuchos::Copy);
   grid::Vector rate(velocity_.getMap());
   supports.rate(load_, rate);
   supports.clear(velocity_);
   velocity_.update(1.0 / body_.problem().duration, rate, 1.0);
+  if (is_first && begins_ && !is_lumped())
+    carry_difference(before, velocity_, body_.particles().velocity);
 }
 
 /// Nodes without a mass have no memory: their velocity is the mean over the step.
@@ -275,14 +287,22 @@ void Inertia::set_load(double load) {
   if (step_ > 0.0 && supports_ != nullptr) prescribe(load_ + way);
 }
 
-/// The accelerations of prescribed components at the end of a step, from within it: load curves may
-/// have a corner there.
+/// The accelerations and velocities of prescribed components at the end of a step, from within it:
+/// load curves may have a corner there.
 void Inertia::prescribe(double end) {
   const double bit = 1e-3 * (end - load_), time = body_.problem().duration;
   grid::Vector earlier(prescribed_.getMap());
   supports_->rate(end - bit, prescribed_);
   supports_->rate(end - 2.0 * bit, earlier);
+  arriving_.update(2.0 / time, prescribed_, -1.0 / time, earlier, 0.0);
   prescribed_.update(-1.0 / (bit * time * time), earlier, 1.0 / (bit * time * time));
+}
+
+grid::Vector Inertia::arriving_velocity() const {
+  grid::Vector v(velocity_, Teuchos::Copy);
+  supports_->clear(v);
+  v.update(1.0, arriving_, 1.0);
+  return v;
 }
 
 grid::Vector Inertia::predicted(double load) const {
@@ -331,6 +351,8 @@ void Inertia::arrive(double load, const grid::Vector& u) {
   of(grid::node_view(static_cast<const grid::Vector&>(change)), grid::node_view(velocity_),
      grid::node_view(acceleration_));
   if (has_idle_nodes_) carry_idle_nodes(dt, change);
+  const grid::Vector free_velocity(velocity_, Teuchos::Copy),
+      free_acceleration(acceleration_, Teuchos::Copy);
   prescribe(load);
   supports_->clear(acceleration_);
   acceleration_.update(1.0, prescribed_, 1.0);
@@ -338,10 +360,11 @@ void Inertia::arrive(double load, const grid::Vector& u) {
   step_ = 0.0;
   go_from(u);
   follow(*supports_);
-  if (is_lumped() && body_.particles_carry_motion()) {
-    grid::Vector gained(velocity_, Teuchos::Copy);
-    gained.update(-1.0, before, 1.0);
-    carry(gained, particles.velocity);
+  if (!is_lumped()) {
+    carry_difference(free_velocity, velocity_, particles.velocity);
+    carry_difference(free_acceleration, acceleration_, particles.acceleration);
+  } else if (body_.particles_carry_motion()) {
+    carry_difference(before, velocity_, particles.velocity);
     carry_gradient(u);
     Kokkos::deep_copy(particles.acceleration, 0.0);
     carry(acceleration_, particles.acceleration);
@@ -377,13 +400,43 @@ void Inertia::nodal_force(const TrialState& state, grid::Vector& force) const {
   force.elementWiseMultiply(1.0, mass_, prescribed_, 1.0);
 }
 
+/// The displacement from which the scheme makes of prescribed components the force that their curves
+/// ask for; what it makes of the change of displacement alone swings about it.
+grid::Vector Inertia::seen_by_scheme(const grid::Vector& u) const {
+  const TimeScheme& scheme = dynamics().scheme;
+  const AtBalance at_balance{scheme, step_};
+  const double time = body_.problem().duration, mass_damping = dynamics().mass_damping;
+  grid::Vector lacks(u.getMap()), rate(u.getMap());
+  supports_->rate(load_ + (1.0 - scheme.alpha_f) * step_ / time, rate);
+  const double per_displacement = 1.0 / mass_factor();
+  const auto lack = grid::node_view(lacks);
+  const auto d = grid::node_view(u), from = grid::node_view(from_);
+  const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
+  const auto end = grid::node_view(prescribed_);
+  const auto slope = grid::node_view(static_cast<const grid::Vector&>(rate));
+  for_each_number(
+      "lack of prescribed", lack.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
+        double v_b = v(n, c), a_b = a(n, c);
+        at_balance(d(n, c) - from(n, c), v_b, a_b);
+        const double asked = (1.0 - scheme.alpha_m) * end(n, c) + scheme.alpha_m * a(n, c);
+        lack(n, c) = per_displacement * (asked - a_b + mass_damping * (slope(n, c) / time - v_b));
+      });
+  grid::Vector of_free(lacks, Teuchos::Copy), seen(u, Teuchos::Copy);
+  supports_->clear(of_free);
+  seen.update(1.0, lacks, -1.0, of_free, 1.0);
+  return seen;
+}
+
 void Inertia::particle_force(const TrialState& state, grid::Vector& force) const {
   const AtBalance at_balance{dynamics().scheme, step_};
   const double mass_damping = dynamics().mass_damping;
   const auto& particles = body_.particles();
   const auto v = particles.velocity, a = particles.acceleration;
   const NodeView carried("carried", v.extent(0));
-  body_.kernels().add_at_particles(state.points, carried);
+  auto points = state.points;
+  if (step_ > 0.0) points.displacement = body_.halo().gather(seen_by_scheme(state.u));
+  body_.kernels().add_at_particles(points, carried);
+  if (step_ > 0.0) body_.halo().gather(state.u);  // the terms after this one want it
   const NodeView from = carried_from_;
   const bool has_from = from.extent(0) == v.extent(0);
   for_each_number(

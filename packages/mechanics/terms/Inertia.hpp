@@ -74,6 +74,9 @@ class Inertia : public Term {
   /// Of nodes, at the last accepted state [um/s], [um/s^2].
   const grid::Vector& velocity() const { return velocity_; }
   const grid::Vector& acceleration() const { return acceleration_; }
+  /// The same velocity, of prescribed components before a corner that their load curves may have
+  /// there [um/s].
+  grid::Vector arriving_velocity() const;
   /// Of this rank's particles [um/s].
   ConstNodeView particle_velocity() const;
   /// Of the last accepted state [aJ].
@@ -93,8 +96,11 @@ class Inertia : public Term {
   void go_from(const grid::Vector& u);
   NodeView carried_by(const grid::Vector& nodal) const;
   void carry(const grid::Vector& nodal, const NodeView& field) const;
+  void carry_difference(const grid::Vector& from, const grid::Vector& to,
+                        const NodeView& field) const;
   void carry_gradient(const grid::Vector& u) const;
   void nodal_force(const TrialState& state, grid::Vector& force) const;
+  grid::Vector seen_by_scheme(const grid::Vector& u) const;
   void particle_force(const TrialState& state, grid::Vector& force) const;
   void add_stiffness_damping(const TrialState& state, grid::Vector& force) const;
   double mass_factor() const;
@@ -114,8 +120,8 @@ class Inertia : public Term {
   grid::Vector from_;      // displacement of the last accepted state [um]
   NodeView carried_from_;  // the same at the particles, of the consistent mass
   grid::Vector velocity_, acceleration_;
-  grid::Vector
-      prescribed_;  // accelerations of prescribed components at the end of the step [um/s^2]
+  // Of prescribed components at the end of the step, from within it [um/s^2], [um/s].
+  grid::Vector prescribed_, arriving_;
 };
 
 }  // namespace stroma::mechanics
