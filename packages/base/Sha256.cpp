@@ -68,4 +68,11 @@ std::string sha256_of_file(const std::string& path) {
   return digest.hexadecimal();
 }
 
+std::string sha256_of_files(const std::string& folder, const std::vector<std::string>& files) {
+  std::string list;
+  for (const std::string& file : files)
+    list += sha256_of_file(folder + "/" + file) + "  " + file + "\n";
+  return sha256(list);
+}
+
 }  // namespace stroma::base

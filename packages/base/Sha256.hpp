@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stroma::base {
 
@@ -17,5 +18,12 @@ std::string sha256(std::string_view bytes);
 /// The SHA-256 of a file's content, as `sha256sum` prints it; the file is read once, a piece at a time. For one rank.
 /// \throws RunError when the file cannot be read, with its path and the reason
 std::string sha256_of_file(const std::string& path);
+
+/// The SHA-256 of what `sha256sum` prints of files of a folder when it is called there: of each its
+/// SHA-256, two blanks, its name and a line break. For one rank.
+/// \param folder  its path
+/// \param files   their names, relative to the folder, in the order of the list
+/// \throws RunError when a file cannot be read, with its path and the reason
+std::string sha256_of_files(const std::string& folder, const std::vector<std::string>& files);
 
 }  // namespace stroma::base

@@ -28,13 +28,12 @@ KnownFile known_folder(const fs::path& folder) {
     if (entry->is_regular_file(failure)) files.insert(entry->path());
   if (failure) throw base::RunError("cannot read '" + folder.string() + "': " + failure.message());
   KnownFile all{folder.string(), 0, ""};
-  std::string list;
+  std::vector<std::string> names;
   for (const fs::path& path : files) {
-    const KnownFile one = known_file(path);
-    all.bytes += one.bytes;
-    list += one.sha256 + "  " + path.lexically_relative(folder).string() + "\n";
+    all.bytes += static_cast<std::int64_t>(fs::file_size(path, failure));
+    names.push_back(path.lexically_relative(folder).string());
   }
-  all.sha256 = base::sha256(list);
+  all.sha256 = base::sha256_of_files(folder.string(), names);
   return all;
 }
 

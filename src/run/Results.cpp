@@ -108,11 +108,13 @@ void Results::draw(const std::vector<output::MovingSupport>& moving,
     if (!note.empty()) log_->note(note);
 }
 
+void Results::finish_files() { folder_.finish(); }
+
 void Results::finish(mechanics::MomentumBalance& balance, const grid::Vector& u,
                      const std::function<double()>& seconds) {
   const auto moving = moving_supports(deck_->parameters, specimen_->body.lengths());
   if (deck_->parameters.output.pictures) draw(moving, balance, u);
-  folder_.finish();
+  finish_files();
   print_summary(*log_, communicator_, *deck_, *specimen_, rows_, moving, balance, u);
   if (!said_of_tables_.empty()) log_->line(said_of_tables_);
   log_->line(base::format("%.1f s on %s; results in %s", seconds(),

@@ -63,6 +63,8 @@ class Results {
   /// Writes the tables of the last accepted step, if the deck asks for them. Collective.
   /// \param room  bytes that it may take on this rank, about
   void write_tables(const mechanics::MomentumBalance& balance, const grid::Vector& u, double room);
+  /// Takes the checksums of what was written, for nothing more will be. Collective.
+  void finish_files();
   /// Draws the pictures and prints a table of all steps: at the end of a run, and of one that
   /// failed. Collective.
   void finish(mechanics::MomentumBalance& balance, const grid::Vector& u,

@@ -189,6 +189,7 @@ void Run::stop_early() {
   try {
     body.balance().set_load(load.load());
     write_tables();
+    results.finish_files();
   } catch (const base::RunError& error) {
     log.note(error.what());
   }

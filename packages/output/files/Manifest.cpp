@@ -11,6 +11,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/base/Sha256.hpp"
 #include "stroma/output/files/WriteFile.hpp"
 
 namespace stroma::output {
@@ -21,6 +22,9 @@ namespace fs = std::filesystem;
 const char* const head =
     "Stroma wrote the files below, and its next run into this folder removes them, but for those "
     "that were changed since.";
+
+/// Stands between the two checksums of a file.
+const std::string before_whole = ", SHA-256 ";
 
 /// Some bytes of a file from a place on.
 std::string bytes_of(std::ifstream& file, std::uintmax_t place, std::size_t count) {
@@ -63,8 +67,13 @@ Manifest::Manifest(std::string folder) : folder_(std::move(folder)) {
     const std::size_t tab = line.find('\t');
     if (tab == std::string::npos) continue;
     const std::string name = line.substr(0, tab), rest = line.substr(tab + 1);
-    if (rest == "being written") being_written_.push_back(name);
-    if (rest != "being written") finished_[name] = rest;
+    const std::size_t whole = rest.find(before_whole);
+    if (rest == "being written")
+      being_written_.push_back(name);
+    else if (whole == std::string::npos)
+      finished_[name] = {rest, ""};
+    else
+      finished_[name] = {rest.substr(0, whole), rest.substr(whole + before_whole.size())};
   }
 }
 
@@ -75,15 +84,55 @@ void Manifest::begin(const std::vector<std::string>& names) {
 }
 
 void Manifest::finish(const std::vector<std::string>& files) {
-  for (const std::string& file : files) finished_[file] = fingerprint(file);
+  for (const std::string& file : files)
+    finished_[file] = {fingerprint(file), whole_checksum(folder_ + "/" + file)};
   write();
 }
 
-void Manifest::end(const std::vector<std::string>& files) {
+void Manifest::end(const std::vector<std::string>& files, const std::vector<std::string>& sums) {
   being_written_ = {"log.txt"};
-  std::vector<std::string> all = files;
-  all.erase(std::remove(all.begin(), all.end(), "log.txt"), all.end());
-  finish(all);
+  for (std::size_t f = 0; f < files.size(); ++f)
+    if (files[f] != "log.txt") finished_[files[f]] = {fingerprint(files[f]), sums[f]};
+  write();
+}
+
+std::string Manifest::whole_checksum(const std::string& path) {
+  std::error_code ignored;
+  try {
+    return fs::is_directory(path, ignored) ? base::sha256_of_files(path, files_in(path))
+                                           : base::sha256_of_file(path);
+  } catch (const base::RunError&) {
+    return "";
+  }
+}
+
+bool Manifest::has_ended() const { return being_written_ == std::vector<std::string>{"log.txt"}; }
+
+std::vector<std::string> Manifest::finished() const {
+  std::vector<std::string> files;
+  for (const auto& [file, mark] : finished_) files.push_back(file);
+  return files;
+}
+
+bool Manifest::has_whole_checksum(const std::string& file) const {
+  return !finished_.at(file).whole.empty();
+}
+
+std::string Manifest::departure(const std::string& file) const {
+  const std::string path = folder_ + "/" + file;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return "is missing";
+  const auto size_in = [](const std::string& mark) { return mark.substr(0, mark.find(',')); };
+  const Mark& left = finished_.at(file);
+  const std::string quick = fingerprint(file);
+  if (quick == "unknown") return "cannot be read";
+  if (!fs::is_directory(path, ignored) && size_in(quick) != size_in(left.quick))
+    return "was changed: " + size_in(quick) + " instead of " + size_in(left.quick);
+  if (quick != left.quick) return "was changed: another content";
+  if (left.whole.empty()) return "";
+  const std::string whole = whole_checksum(path);
+  if (whole.empty()) return "cannot be read";
+  return whole == left.whole ? "" : "was changed: another content";
 }
 
 std::vector<std::string> Manifest::files() const {
@@ -109,7 +158,7 @@ bool Manifest::is_own(const std::string& file) const {
   const bool may_be_folder = path.filename().string().find(".zarr") != std::string::npos;
   if (!fs::is_regular_file(status) && !(may_be_folder && fs::is_directory(status))) return false;
   const auto found = finished_.find(file);
-  if (found != finished_.end()) return found->second == fingerprint(file);
+  if (found != finished_.end()) return found->second.quick == fingerprint(file);
   return std::count(being_written_.begin(), being_written_.end(), name_of(file)) > 0 &&
          begins_as_written(path);
 }
@@ -149,7 +198,11 @@ std::string Manifest::name_of(const std::string& file) {
 void Manifest::write() const {
   std::string text = std::string(head) + "\n";
   for (const std::string& name : being_written_) text += name + "\tbeing written\n";
-  for (const auto& [file, mark] : finished_) text += file + "\t" + mark + "\n";
+  for (const auto& [file, mark] : finished_) {
+    text += file + "\t" + mark.quick;
+    if (!mark.whole.empty()) text += before_whole + mark.whole;
+    text += "\n";
+  }
   replace_file(folder_ + "/.stroma_files", text);
 }
 

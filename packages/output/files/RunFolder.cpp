@@ -9,6 +9,7 @@
 #include <set>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/base/Stage.hpp"
 #include "stroma/output/files/FolderLock.hpp"
 #include "stroma/output/files/Manifest.hpp"
 
@@ -223,15 +224,31 @@ void RunFolder::finish(const std::string& file) const {
   });
 }
 
+/// The files are read again for their checksums, each by another rank.
 void RunFolder::finish() const {
+  const base::Stage stage("checksums");
+  std::vector<std::string> written;
   base::collectively(communicator_, [&] {
     if (!communicator_.is_root()) return;
-    std::vector<std::string> written = files_of(folder(), names_);
+    written = files_of(folder(), names_);
     const auto is_of_others = [&](const std::string& file) {
       return !is_written_on(communicator_.size(), file);
     };
     written.erase(std::remove_if(written.begin(), written.end(), is_of_others), written.end());
-    Manifest(folder()).end(written);
+  });
+  std::size_t count = written.size();
+  communicator_.broadcast(count);
+  written.resize(count);
+  for (std::string& one : written) communicator_.broadcast(one);
+  const auto reader = [&](std::size_t f) {
+    return static_cast<int>(f % static_cast<std::size_t>(communicator_.size()));
+  };
+  std::vector<std::string> sums(count);
+  for (std::size_t f = 0; f < count; ++f)
+    if (reader(f) == communicator_.rank()) sums[f] = Manifest::whole_checksum(file(written[f]));
+  for (std::size_t f = 0; f < count; ++f) communicator_.broadcast(sums[f], reader(f));
+  base::collectively(communicator_, [&] {
+    if (communicator_.is_root()) Manifest(folder()).end(written, sums);
   });
 }
 
