@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -55,16 +56,44 @@ std::string sha256(std::string_view bytes) {
   return digest.hexadecimal();
 }
 
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+[[noreturn]] void fail_to_read(const std::string& path) {
+  throw RunError("cannot read '" + path + "': " + std::strerror(errno));
+}
+
+File opened(const std::string& path) {
+  File file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (file == nullptr) fail_to_read(path);
+  return file;
+}
+
+}  // namespace
+
 std::string sha256_of_file(const std::string& path) {
-  const auto fail = [&] { throw RunError("cannot read '" + path + "': " + std::strerror(errno)); };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (file == nullptr) fail();
+  const File file = opened(path);
   Digest digest;
   std::vector<char> piece(1 << 18);
   while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), file.get()))
     digest.add(piece.data(), count);
-  if (std::ferror(file.get()) != 0) fail();
+  if (std::ferror(file.get()) != 0) fail_to_read(path);
+  return digest.hexadecimal();
+}
+
+std::string sha256_of_samples(const std::string& path, std::uintmax_t size, int pieces,
+                              std::size_t length) {
+  const File file = opened(path);
+  Digest digest;
+  std::vector<char> piece(length);
+  for (int n = 0; n < pieces; ++n) {
+    const auto share = static_cast<double>(n) / (pieces - 1);
+    const auto place = static_cast<std::int64_t>(share * static_cast<double>(size - length));
+    if (::fseeko(file.get(), place, SEEK_SET) != 0) fail_to_read(path);
+    digest.add(piece.data(), std::fread(piece.data(), 1, length, file.get()));
+    if (std::ferror(file.get()) != 0) fail_to_read(path);
+  }
   return digest.hexadecimal();
 }
 

@@ -49,19 +49,21 @@ class Findings {
 bool verify_contents(const base::Communicator& communicator, const std::string& folder,
                      Findings& findings) {
   std::vector<std::string> departures;
-  std::size_t files = 0, known = 0;
+  std::size_t files = 0, known = 0, sampled = 0;
   base::collectively(communicator, [&] {
     if (!communicator.is_root()) return;
     const output::Manifest manifest(folder);
     for (const std::string& file : manifest.finished()) {
       ++files;
       if (manifest.has_ended() && manifest.has_whole_checksum(file)) ++known;
+      if (manifest.is_sampled(file)) ++sampled;
       const std::string departure = manifest.departure(file);
       if (!departure.empty()) departures.push_back(file + " " + departure);
     }
   });
   communicator.broadcast(files);
   communicator.broadcast(known);
+  communicator.broadcast(sampled);
   std::size_t wrong = departures.size();
   communicator.broadcast(wrong);
   departures.resize(wrong);
@@ -77,7 +79,11 @@ bool verify_contents(const base::Communicator& communicator, const std::string& 
                   format("of %zu of %zu files only the size, the head and the end are compared",
                          files - known, files));
   else if (wrong == 0)
-    findings.tell("contents", true, format("%zu files, SHA-256 as the run left them", files));
+    findings.tell(
+        "contents", true,
+        format("%zu files, SHA-256 as the run left them", files) +
+            (sampled == 0 ? std::string()
+                          : format(" (of %zu larger than 16 MiB: 256 samples)", sampled)));
   return known > 0 && known == files;
 }
 

@@ -25,6 +25,10 @@ const char* const head =
 
 /// Stands between the two checksums of a file.
 const std::string before_whole = ", SHA-256 ";
+const std::string of_samples = "of samples ";
+constexpr int samples = 256;
+constexpr std::size_t sample =
+    1 << 16;  // bytes: 16 MiB in all, what a file may have that is read whole
 
 /// Some bytes of a file from a place on.
 std::string bytes_of(std::ifstream& file, std::uintmax_t place, std::size_t count) {
@@ -99,8 +103,11 @@ void Manifest::end(const std::vector<std::string>& files, const std::vector<std:
 std::string Manifest::whole_checksum(const std::string& path) {
   std::error_code ignored;
   try {
-    return fs::is_directory(path, ignored) ? base::sha256_of_files(path, files_in(path))
-                                           : base::sha256_of_file(path);
+    if (fs::is_directory(path, ignored)) return base::sha256_of_files(path, files_in(path));
+    const std::uintmax_t size = fs::file_size(path, ignored);
+    return ignored || size <= samples * sample
+               ? base::sha256_of_file(path)
+               : of_samples + base::sha256_of_samples(path, size, samples, sample);
   } catch (const base::RunError&) {
     return "";
   }
@@ -116,6 +123,10 @@ std::vector<std::string> Manifest::finished() const {
 
 bool Manifest::has_whole_checksum(const std::string& file) const {
   return !finished_.at(file).whole.empty();
+}
+
+bool Manifest::is_sampled(const std::string& file) const {
+  return finished_.at(file).whole.rfind(of_samples, 0) == 0;
 }
 
 std::string Manifest::departure(const std::string& file) const {

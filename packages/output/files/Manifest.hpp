@@ -14,8 +14,8 @@ namespace stroma::output {
 /// The list .stroma_files of an output folder. It names the files that a run writes before they
 /// exist; a file that is finished gets its size and two checksums, so that one which somebody changed
 /// or put there since is told apart, wherever the folder is copied to: a quick one, of its head and
-/// its end, by which the next run knows what it may remove, and the SHA-256 of all of it, by which
-/// `stroma verify` knows it again. For one rank.
+/// its end, by which the next run knows what it may remove, and the SHA-256 of all of it or, above
+/// 16 MiB, of samples, by which `stroma verify` knows it again. For one rank.
 class Manifest {
  public:
   /// Reads the list of a folder; an empty one where there is none.
@@ -31,8 +31,10 @@ class Manifest {
   /// \param sums   the whole_checksum() of each
   void end(const std::vector<std::string>& files, const std::vector<std::string>& sums);
 
-  /// The SHA-256 of all of a file, as `sha256sum` prints it; of a folder, that of the list of its
-  /// files (base::sha256_of_files), by name. Empty where it cannot be read.
+  /// The SHA-256 of all of a file, as `sha256sum` prints it; of one above 16 MiB, "of samples" and
+  /// that of 256 pieces of 64 KiB (base::sha256_of_samples), for a run shall not wait for its
+  /// checksums; of a folder, that of the list of its files (base::sha256_of_files), by name. Empty
+  /// where it cannot be read.
   /// \param path  of the file or the folder
   static std::string whole_checksum(const std::string& path);
 
@@ -43,7 +45,10 @@ class Manifest {
   /// Whether the SHA-256 of a finished file is known; earlier versions of Stroma did not take it.
   /// \param file  one of finished()
   bool has_whole_checksum(const std::string& file) const;
-  /// How a finished file departs from what was left: all of it is read.
+  /// Whether only samples of a finished file are known.
+  /// \param file  one of finished()
+  bool is_sampled(const std::string& file) const;
+  /// How a finished file departs from what was left.
   /// \param file  one of finished()
   /// \return what is wrong with it; empty if it is as it was
   std::string departure(const std::string& file) const;

@@ -58,6 +58,14 @@ TEST(Sha256, OfAFileIsThatOfItsContent) {
   EXPECT_EQ(base::sha256_of_file(Content(bytes).path()), base::sha256(bytes));
 }
 
+TEST(Sha256, OfSamplesIsThatOfPiecesFromTheFirstToTheLast) {
+  std::string text;
+  for (int n = 0; n < 1000; ++n) text += static_cast<char>('a' + n % 26);
+  const Content file(text);
+  const std::string seen = text.substr(0, 10) + text.substr(495, 10) + text.substr(990, 10);
+  EXPECT_EQ(base::sha256_of_samples(file.path(), 1000, 3, 10), base::sha256(seen));
+}
+
 TEST(Sha256, AFileThatCannotBeReadIsNamedWithTheReason) {
   const auto message = [](const std::string& path) -> std::string {
     try {
