@@ -169,6 +169,67 @@ double imbalance(const History& history) {
   return worst / size;
 }
 
+/// A block of 64 um^3 and 1000 kg/m^3, all of whose nodes move by 1 um in 10 us and then rest; 20 steps.
+std::string moved(const std::string& mass, const std::string& interpolation) {
+  return R"(Stroma:
+  Image: {Phantom: {Kind: Uniform, Size: [4, 4, 4], "Voxel Size [um]": [1, 1, 1]}}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3, "Density [kg/m^3]": 1000}
+  Grid: {"Element Size [um]": [4, 4, 4]}
+  Load Curves:
+    way: {"Times [s]": [0, 10.0e-6], Values: [0, 1], Interpolation: )" +
+         interpolation + R"(}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xyz, "Displacement [um]": [0, 1, 0], Load Curve: way}
+    top: {Face: y+, Components: xyz, "Displacement [um]": [0, 1, 0], Load Curve: way}
+  Loading: {Inertia: true, "Duration [s]": 20.0e-6, Steps: 20, )" +
+         mass + R"(}
+  Output: {Pictures: false, Report: false}
+)";
+}
+
+// V-DYN-WORK. A body that is carried: the force is its mass times the acceleration of the curve, none
+// while it moves evenly or rests, and the kinetic energy m v^2 / 2 = 320 aJ, whatever the mass is
+// made of.
+TEST(DynamicRunsOfABody, AreCarriedWithoutSwinging) {
+  const TemporaryFolder folder;
+  const double mass = 64e-15, way = 1e-6, time = 10e-6;  // kg, m, s
+  for (const std::string scheme :
+       {"Mass: Lumped", "Mass: Consistent", "Mass: Consistent, Scheme: Generalised Alpha"}) {
+    SCOPED_TRACE(scheme);
+    const History even = run_deck(folder, "even", moved(scheme, "Linear"));
+    const History smooth = run_deck(folder, "smooth", moved(scheme, "Smooth"));
+    for (std::size_t s = 1; s <= 20; ++s) {
+      const auto force = [&](const History& history) {
+        return history["bottom.reaction_y"][s] + history["top.reaction_y"][s];
+      };
+      EXPECT_NEAR(force(even), 0.0, 1e-6) << "step " << s;
+      EXPECT_NEAR(even["kinetic_energy"][s], s < 10 ? 320.0 : 0.0, 1e-9) << "step " << s;
+      // 3 t^2 - 2 t^3; at its end the acceleration is that before it.
+      const double t = 0.1 * static_cast<double>(s);
+      const double asked = s <= 10 ? mass * way / (time * time) * (6.0 - 12.0 * t) * 1e12 : 0.0;
+      EXPECT_NEAR(force(smooth), asked, 2e-3 * mass * way / (time * time) * 1e12) << "step " << s;
+    }
+  }
+}
+
+// V-DYN-WORK. A load curve with a corner: the work is that of the reaction up to it.
+TEST(DynamicRunsOfABody, WorkUpToTheCornerOfACurve) {
+  const TemporaryFolder folder;
+  std::string deck = jerked("", "", 8, 2);
+  const std::string smooth = "Interpolation: Smooth";
+  deck.replace(deck.find(smooth), smooth.size(), "Interpolation: Linear");
+  const History history = run_deck(folder, "whole", deck);
+  double work = 0.0;
+  for (std::size_t s = 1; s <= 16; ++s) {
+    const double change = (s <= 8 ? 1.0 : -1.0) / 8.0;  // of the curve
+    for (const auto& [column, displacement] :
+         {std::pair<const char*, double>{"top.reaction_x", 1.5}, {"top.reaction_y", 0.5}})
+      work += 0.5 * (history[column][s - 1] + history[column][s]) * displacement * change;
+    EXPECT_NEAR(history["external_work"][s], work, 1e-6 * std::abs(work) + 1e-9) << "step " << s;
+  }
+}
+
 // What supports do, less what damping takes, is what the body has gained: to the second order of
 // the step.
 TEST(DynamicRunsOfABody, BalanceTheirEnergy) {
