@@ -6,9 +6,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "stroma/tensor/UnitSize.hpp"
+
 namespace stroma::material {
 
-std::array<double, 3> normalised(const std::array<double, 3>& a) {
+std::array<double, 3> normalised(const std::array<double, 3>& vector) {
+  const std::array<double, 3> a = tensor::of_unit_size(vector);
   const double length = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
   return {a[0] / length, a[1] / length, a[2] / length};
 }
@@ -70,8 +73,8 @@ double density(const DistributionParameters& p, const Vector& n, const Vector& a
     return std::exp(2.0 * p.concentration * (along * along - (p.concentration > 0.0 ? 1.0 : 0.0)));
   }
   if (p.distribution == Distribution::ellipsoidal) {
-    const Vector scaled{n[0] / p.axes[0], n[1] / p.axes[1], n[2] / p.axes[2]};
-    return 1.0 / std::sqrt(dot(scaled, scaled));
+    const Vector axes = tensor::of_unit_size(p.axes);  // weights are relative
+    return 1.0 / std::hypot(n[0] / axes[0], n[1] / axes[1], n[2] / axes[2]);
   }
   return 1.0;
 }

@@ -2,8 +2,7 @@
 
 #include "stroma/sections/BoundaryConditionsSection.hpp"
 
-#include <cmath>
-
+#include "stroma/sections/Directions.hpp"
 #include "stroma/sections/Faces.hpp"
 #include "stroma/sections/VectorImagesSection.hpp"
 #include "stroma/tensor/Tensor3.hpp"
@@ -96,12 +95,11 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
     if (p.axis && !p.rotation) findings.add("Axis", "is used with \"Rotation [deg]\" only");
     if (p.center && !p.rotation)
       findings.add("Center [um]", "is used with \"Rotation [deg]\" only");
-    if (p.axis && !(std::hypot((*p.axis)[0], (*p.axis)[1], (*p.axis)[2]) > 0.0))
-      findings.add("Axis", "has no direction; admissible: three numbers, not all zero");
+    refuse_no_length("Axis", p.axis, findings);
     if (p.rotation && !p.axis && *p.face == Face::all)
       findings.add("Axis",
                    "missing: Face = all has no normal for \"Rotation [deg]\"; admissible: "
-                   "three numbers, not all zero");
+                   "three numbers, not all 0");
     if (p.strain && *p.face == Face::all)
       findings.add("Strain",
                    "has no direction on Face = all; admissible: a single face, or "

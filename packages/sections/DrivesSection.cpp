@@ -2,6 +2,8 @@
 
 #include "stroma/sections/DrivesSection.hpp"
 
+#include "stroma/sections/Directions.hpp"
+
 namespace stroma::sections {
 
 using namespace material;
@@ -23,8 +25,7 @@ void check_direction(const MaterialParameters& material, const std::string& sect
     findings.add(section + "|Direction",
                  "missing; the material has no family of Fibers in a single direction, whose it "
                  "could be");
-  if (own && *own == std::array<double, 3>{})
-    findings.add(section + "|Direction", "has no length; admissible: three numbers, not all 0");
+  refuse_no_length(section + "|Direction", own, findings);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "stroma/base/Log.hpp"
+#include "stroma/sections/Directions.hpp"
 #include "stroma/sections/FieldImage.hpp"
 #include "stroma/sections/ModelNumbers.hpp"
 
@@ -49,8 +50,7 @@ void check_distribution(const FiberParameters& p, deck::Findings& findings) {
       .must_have("Concentration", p.concentration.has_value());
   if (p.distribution == Distribution::single && p.quadrature)
     findings.add("Quadrature", "is not used with Distribution = Single");
-  if (p.direction && *p.direction == std::array<double, 3>{})
-    findings.add("Direction", "has no length; admissible: three numbers, not all 0");
+  refuse_no_length("Direction", p.direction, findings);
 }
 
 /// What directions from images ask for, and what they leave unused.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "stroma/sections/Directions.hpp"
+
 namespace stroma::sections {
 
 using namespace image;
@@ -99,8 +101,7 @@ deck::Section<ShapeParameters> shape_section() {
     if (s.kind != Kind::cylinder && s.axis) findings.add("Axis", "only a cylinder has one");
     if (s.kind != Kind::cylinder && s.length)
       findings.add("Length [um]", "only a cylinder has one");
-    if (s.axis && *s.axis == std::array<double, 3>{0.0, 0.0, 0.0})
-      findings.add("Axis", "is 0, 0, 0; admissible: three numbers that are not all 0");
+    refuse_no_length("Axis", s.axis, findings);
     if (!round && !s.size) findings.add("Size [um]", "missing; required for a box");
     if (round && s.size)
       findings.add("Size [um]", "only a box has one; a ball and a cylinder have Radius [um]");

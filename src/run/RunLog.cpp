@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "run/WithoutEffect.hpp"
 #include "stroma/base/Session.hpp"
 #include "stroma/mechanics/BarelyFilled.hpp"
+#include "stroma/solver/CurveNotes.hpp"
 
 namespace stroma {
 
@@ -192,6 +194,11 @@ std::string failure(const Deck& deck, const mechanics::MomentumBalance& balance,
   const mechanics::WorstParticle worst = balance.body().worst_particle(trial);
   const std::string lost = localization_note(deck, balance.body(), trial, 1);
   std::string advice;
+  if (load.load() == 0.0)
+    for (const auto& [name, curve] : deck.parameters.load_curves.curves) {
+      const std::string on_start = solver::advice_on_start(name, curve);
+      if (is_followed(deck.parameters, name) && !on_start.empty()) advice += "\n- " + on_start;
+    }
   for (const std::string& one : solver::advice(circumstances(deck, balance)))
     advice += "\n- " + one;
   return format(

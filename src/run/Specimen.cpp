@@ -19,6 +19,7 @@
 #include "stroma/mechanics/conditions/FacesReached.hpp"
 #include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Migration.hpp"
+#include "stroma/solver/CurveNotes.hpp"
 
 namespace stroma {
 
@@ -174,6 +175,10 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   const std::string crossing = crossing_note(p.grid);
   if (!crossing.empty()) specimen.notes.push_back(crossing);
   for (std::string& note : notes_without_effect(p)) specimen.notes.push_back(std::move(note));
+  for (const auto& [name, curve] : p.load_curves.curves)
+    if (is_followed(p, name))
+      for (std::string& note : solver::curve_notes(name, curve, p.loading))
+        specimen.notes.push_back(std::move(note));
   specimen.fields = std::move(own.ranges);
   for (std::string& note : own.notes) specimen.notes.push_back(std::move(note));
   specimen.own_numbers = std::move(own.which);

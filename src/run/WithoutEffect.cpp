@@ -7,6 +7,12 @@
 
 namespace stroma {
 
+bool is_followed(const DeckParameters& p, const std::string& curve) {
+  const auto asked_for = curves_asked_for(p);
+  return std::any_of(asked_for.begin(), asked_for.end(),
+                     [&](const auto& asked) { return asked.second == curve; });
+}
+
 std::vector<std::string> notes_without_effect(const DeckParameters& p) {
   std::vector<std::string> notes;
   const auto look_at = [&](bool has_none, const std::string& what, const std::string& read_with) {
@@ -35,11 +41,8 @@ std::vector<std::string> notes_without_effect(const DeckParameters& p) {
                                        std::pair{force.traction, "Traction [Pa]"}})
       look_at(p.grid.plane_strain && vector && (*vector)[2] != 0.0,
               "External Forces|" + name + "|" + unit + " along z", "Plane Strain = false");
-  const auto asked_for = curves_asked_for(p);
   for (const auto& curve : p.load_curves.curves)
-    look_at(std::none_of(asked_for.begin(), asked_for.end(),
-                         [&](const auto& asked) { return asked.second == curve.first; }),
-            "Load Curves|" + curve.first,
+    look_at(!is_followed(p, curve.first), "Load Curves|" + curve.first,
             "a condition, a force or a material whose Load Curve it is");
   return notes;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "stroma/base/Error.hpp"
+#include "stroma/tensor/UnitSize.hpp"
 
 namespace stroma::image {
 namespace {
@@ -23,7 +24,7 @@ bool contains(const ShapeParameters& shape, const Vector& d) {
   }
   const double r = shape.radius.value();
   if (shape.kind == Kind::ball) return dot(d, d) < r * r;
-  const Vector& a = shape.axis.value();
+  const Vector a = tensor::of_unit_size(shape.axis.value());
   const double d_along_a = dot(d, a);
   if (shape.length && std::abs(d_along_a) >= 0.5 * *shape.length * std::sqrt(dot(a, a)))
     return false;

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "stroma/base/Log.hpp"
+#include "stroma/material/FiberDirections.hpp"
 #include "stroma/tensor/Tensor3.hpp"
 
 namespace stroma::mechanics {
@@ -42,13 +43,9 @@ Vector turned(const Vector& axis, const Vector& arm, double angle) {
 }  // namespace
 
 Vector BoundaryCondition::unit_axis() const {
+  if (axis) return material::normalised(*axis);
   Vector unit{};
-  if (!axis) {
-    unit[static_cast<std::size_t>(axis_of(*face))] = 1.0;
-    return unit;
-  }
-  const double size = std::hypot((*axis)[0], (*axis)[1], (*axis)[2]);
-  for (std::size_t d = 0; d < 3; ++d) unit[d] = (*axis)[d] / size;
+  unit[static_cast<std::size_t>(axis_of(*face))] = 1.0;
   return unit;
 }
 

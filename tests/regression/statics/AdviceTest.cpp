@@ -24,6 +24,21 @@ Outcome run_case(const std::string& deck, const std::string& settings, int ranks
   return run_stroma(folder.path(), command + fs::path(deck).filename().string() + settings, ranks);
 }
 
+const std::string follower =
+    "  External Forces:\n    weight:\n      Body Force [pN/um^3]: [0, 0.1, 0]\n"
+    "      Load Curve: slow\n";
+
+/// What a command says of a deck with a load curve, after `sections`, in which something may follow
+/// it.
+Outcome with_a_curve(const std::string& sections, const std::string& command,
+                     const std::string& settings = "") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "deck.yaml")
+      << std::ifstream(cases / "false_convergence/base.yaml").rdbuf() << sections
+      << "  Load Curves:\n    slow:\n      Times [s]: [0, 1]\n      Values: [0, 1]\n";
+  return run_stroma(folder.path(), command + "deck.yaml" + settings);
+}
+
 /// Expects a run to fail in its first step and to name `advice`, and to go through once it is
 /// taken.
 void expect_helped(const std::string& deck, const std::string& settings, const std::string& before,
@@ -73,6 +88,31 @@ TEST(Advice, ContrastIsNotedWhereItMatters) {
   EXPECT_FALSE(is_noted("", "check "));
 }
 
+// V-TIME-6.
+TEST(Advice, CurvesThatStepsDoNotMeetAreNoted) {
+  const std::string note =
+      "note: Load Curves|slow goes on until 2 s, to 1, but the run ends at 1 s";
+  const std::string later = " --set 'Load Curves|slow|Times [s]=[0, 2]'";
+  for (const char* command : {"check ", "run "}) {
+    EXPECT_NE(with_a_curve(follower, command, later).standard_output.find(note), std::string::npos);
+    EXPECT_EQ(with_a_curve("", command, later).standard_output.find(note), std::string::npos);
+    EXPECT_EQ(with_a_curve(follower, command).standard_output.find("note: Load Curves|slow"),
+              std::string::npos);
+  }
+}
+
+TEST(Advice, ACurveThatBeginsHighIsNamedWhereTheFirstStepFails) {
+  const std::string advice = "- Load Curves|slow is 1 from the start, however small";
+  const std::string fails = contrast + " --set 'Loading|Smallest Step=0.5'";
+  const Outcome high =
+      with_a_curve(follower, "run ", fails + " --set 'Load Curves|slow|Values=[1, 1]'");
+  EXPECT_EQ(high.status, 1) << high.standard_output;
+  EXPECT_NE(high.standard_error.find(advice), std::string::npos) << high.standard_error;
+  const Outcome low = with_a_curve(follower, "run ", fails);
+  EXPECT_EQ(low.status, 1) << low.standard_output;
+  EXPECT_EQ(low.standard_error.find("- Load Curves"), std::string::npos) << low.standard_error;
+}
+
 TEST(Advice, WhatHasNoEffectIsNoted) {
   const auto is_noted = [&](const std::string& settings, const std::string& what) {
     const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, "check ");
@@ -88,18 +128,9 @@ TEST(Advice, WhatHasNoEffectIsNoted) {
   const std::string undeformed = " --set 'Grid|Particle Domain=Undeformed' --set 'Grid|Reset=true'";
   EXPECT_TRUE(is_noted(undeformed, "Grid|Particle Domain"));
   EXPECT_FALSE(is_noted(undeformed + " --set 'Grid|Shape Functions=GIMP'", "Grid|Particle Domain"));
-  const auto with_a_curve = [&](const std::string& last) {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "deck.yaml")
-        << std::ifstream(cases / "false_convergence/base.yaml").rdbuf() << last
-        << "  Load Curves:\n    slow:\n      Times [s]: [0, 1]\n      Values: [0, 1]\n";
-    return run_stroma(folder.path(), "check deck.yaml").standard_output;
-  };
   const std::string note = "note: Load Curves|slow has no effect";
-  EXPECT_NE(with_a_curve("").find(note), std::string::npos);
-  const std::string followed = with_a_curve(
-      "  External Forces:\n    weight:\n      Body Force [pN/um^3]: [0, 0.1, 0]\n"
-      "      Load Curve: slow\n");
+  EXPECT_NE(with_a_curve("", "check ").standard_output.find(note), std::string::npos);
+  const std::string followed = with_a_curve(follower, "check ").standard_output;
   EXPECT_EQ(followed.find(note), std::string::npos);
   EXPECT_NE(followed.find("ready to run"), std::string::npos) << followed;
   const TemporaryFolder folder;

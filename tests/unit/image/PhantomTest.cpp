@@ -50,6 +50,9 @@ TEST(Shapes, VolumesAreThoseOfGeometry) {
   EXPECT_NEAR(volume_of(shapes({cylinder}), 1), pi * 25.0 * 24.0, 0.01 * 1885.0);
   cylinder.length = 12.8;
   EXPECT_NEAR(volume_of(shapes({cylinder}), 1), pi * 25.0 * 12.8, 0.01 * 1005.0);
+  const double volume = volume_of(shapes({cylinder}), 1);
+  cylinder.axis = {{0.0, 0.0, 1e-200}};
+  EXPECT_EQ(volume_of(shapes({cylinder}), 1), volume);
   ShapeParameters box = ball;
   box.kind = ShapeParameters::Kind::box;
   box.radius.reset();

@@ -134,6 +134,17 @@ TEST(Directions, OfADistributionWithoutPreferenceAreTheSpheres) {
     EXPECT_NEAR(mean(p, [](const double* n) { return std::pow(n[1], 6); }), 1.0 / 7.0, 1e-14);
 }
 
+TEST(Directions, AreThoseOfTheShortestAndTheLongestVector) {
+  for (const double length : {5e-324, 1e-200, 1.0, 1e200, 1e308}) {
+    EXPECT_EQ(normalised({0.0, 0.0, -length}), (std::array<double, 3>{0.0, 0.0, -1.0}));
+    DistributionParameters ellipsoid = spherical();
+    ellipsoid.distribution = Distribution::ellipsoidal;
+    ellipsoid.axes = {length, length, length};
+    EXPECT_NEAR(mean(ellipsoid, [](const double* n) { return std::pow(n[1], 6); }), 1.0 / 7.0,
+                1e-14);
+  }
+}
+
 // With t = N.A, <t^2> = integral of t^2 exp(2 b t^2) / integral of exp(2 b t^2), by Simpson's rule.
 TEST(Directions, OfAnAxialFamilyCrowdAroundItsAxis) {
   DistributionParameters p = spherical();

@@ -52,5 +52,14 @@ TEST(BoundaryCondition, FacesHaveAxesAndSides) {
   EXPECT_FALSE(is_upper(Face::y_lower));
 }
 
+TEST(BoundaryCondition, AnAxisMayHaveAnyLength) {
+  BoundaryCondition turning = hold(Face::z_lower, "xyz");
+  EXPECT_EQ(turning.unit_axis(), (std::array<double, 3>{0.0, 0.0, 1.0}));
+  for (const double size : {1e-200, 1.0, 1e308}) {
+    turning.axis = {{0.0, -size, 0.0}};
+    EXPECT_EQ(turning.unit_axis(), (std::array<double, 3>{0.0, -1.0, 0.0}));
+  }
+}
+
 }  // namespace
 }  // namespace stroma::mechanics
