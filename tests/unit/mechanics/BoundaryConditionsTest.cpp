@@ -54,10 +54,12 @@ TEST(BoundaryCondition, FacesHaveAxesAndSides) {
 
 TEST(BoundaryCondition, AnAxisMayHaveAnyLength) {
   BoundaryCondition turning = hold(Face::z_lower, "xyz");
-  EXPECT_EQ(turning.unit_axis(), (std::array<double, 3>{0.0, 0.0, 1.0}));
+  turning.rotation = 1.0;
+  turning.center = {{0.0, 0.0, 0.0}};
   for (const double size : {1e-200, 1.0, 1e308}) {
     turning.axis = {{0.0, -size, 0.0}};
-    EXPECT_EQ(turning.unit_axis(), (std::array<double, 3>{0.0, -1.0, 0.0}));
+    EXPECT_EQ(turning.lever({2.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {4.0, 4.0, 4.0}),
+              (std::array<double, 3>{0.0, 0.0, 2.0}));
   }
 }
 
