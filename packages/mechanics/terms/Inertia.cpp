@@ -80,7 +80,7 @@ Inertia::Inertia(const Body& body, double load)
   begins_ = body.begins_motion();
   weigh();
   if (begins_) begin_particles();
-  if (body.particles_carry_motion() && !(begins_ && is_lumped())) find_nodal_motion();
+  if (body.particles_carry_motion() && !begins_) find_nodal_motion();
 }
 
 /// Masses of the nodes.
