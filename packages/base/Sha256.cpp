@@ -48,16 +48,6 @@ class Digest {
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
 };
 
-}  // namespace
-
-std::string sha256(std::string_view bytes) {
-  Digest digest;
-  digest.add(bytes.data(), bytes.size());
-  return digest.hexadecimal();
-}
-
-namespace {
-
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 [[noreturn]] void fail_to_read(const std::string& path) {
@@ -71,6 +61,12 @@ File opened(const std::string& path) {
 }
 
 }  // namespace
+
+std::string sha256(std::string_view bytes) {
+  Digest digest;
+  digest.add(bytes.data(), bytes.size());
+  return digest.hexadecimal();
+}
 
 std::string sha256_of_file(const std::string& path) {
   const File file = opened(path);
