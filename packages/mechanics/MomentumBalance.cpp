@@ -343,20 +343,17 @@ void MomentumBalance::follow(const MomentumBalance& other) {
   if (inertia_ != nullptr) inertia_->take_step(*other.inertia_);
 }
 
-double MomentumBalance::external_power(const grid::Vector& u, const grid::Vector& v) {
+grid::Vector MomentumBalance::external_force(const grid::Vector& u) {
   // At prescribed components what is unbalanced is the force of the supports.
-  grid::Vector free(v, Teuchos::Copy);
-  supports_->clear(free);
-  const grid::Vector& unbalanced = *forces(u).unbalanced;
-  double power = unbalanced.dot(v) - unbalanced.dot(free);
+  grid::Vector sum = supports_->prescribed_part(*forces(u).unbalanced);
   const auto at_u = state(u);
   grid::Vector force(owned_map());
   for (const auto& term : terms_) {
     if (term == terms_.front() || term.get() == inertia_) continue;  // the first is that of stress
     term->force(at_u, force);
-    power -= force.dot(v);
+    sum.update(-1.0, force, 1.0);
   }
-  return power;
+  return sum;
 }
 
 double MomentumBalance::damping_power(const grid::Vector& u) const {

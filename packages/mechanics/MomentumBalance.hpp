@@ -152,9 +152,9 @@ class MomentumBalance {
   void arrive(double load, const grid::Vector& u);
   /// Makes the tangent that of a step of the same body on another grid.
   void follow(const MomentumBalance& other);
-  /// What acts on a moving body besides its stress and its inertia, supports included [aJ/s]; with
-  /// inertia only. At a corner of a load curve the power jumps with the velocity v [um/s].
-  double external_power(const grid::Vector& u, const grid::Vector& v);
+  /// What acts on a moving body besides its stress and its inertia, supports included [pN]; with
+  /// inertia only.
+  grid::Vector external_force(const grid::Vector& u);
   /// What damping takes [aJ/s].
   double damping_power(const grid::Vector& u) const;
 

@@ -39,7 +39,8 @@ Results::Results(const base::Communicator& communicator, const Deck& deck, const
 
 namespace {
 
-/// Energies of a body with inertia; powers are integrated by the trapezoidal rule.
+/// Energies of a body with inertia; powers are integrated by the trapezoidal rule. At a corner of a
+/// load curve that of supports jumps with their velocity.
 std::optional<output::HistoryRow::Motion> motion_of(const output::HistoryRow& row,
                                                     const std::vector<output::HistoryRow>& before,
                                                     mechanics::MomentumBalance& balance,
@@ -47,12 +48,13 @@ std::optional<output::HistoryRow::Motion> motion_of(const output::HistoryRow& ro
   if (balance.inertia() == nullptr) return std::nullopt;
   output::HistoryRow::Motion motion;
   motion.kinetic_energy = balance.inertia()->kinetic_energy();
-  motion.external_power = balance.external_power(u, balance.inertia()->velocity());
+  const grid::Vector acting = balance.external_force(u);
+  motion.external_power = acting.dot(balance.inertia()->velocity());
   motion.damping_power = balance.damping_power(u);
   if (before.empty()) return motion;
   const output::HistoryRow::Motion& last = *before.back().motion;
   const double half_step = 0.5 * (row.time - before.back().time);
-  const double arriving_power = balance.external_power(u, balance.inertia()->arriving_velocity());
+  const double arriving_power = acting.dot(balance.inertia()->arriving_velocity());
   motion.external_work = last.external_work + half_step * (last.external_power + arriving_power);
   motion.damping_work = last.damping_work + half_step * (last.damping_power + motion.damping_power);
   return motion;

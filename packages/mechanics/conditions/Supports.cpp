@@ -375,6 +375,14 @@ void Supports::clear(grid::Vector& v) const {
   for (const Prescribed& p : prescribed_) values(p.unknown, 0) = 0.0;
 }
 
+grid::Vector Supports::prescribed_part(const grid::Vector& v) const {
+  grid::Vector part(v.getMap());
+  const auto from = v.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto to = part.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (const Prescribed& p : prescribed_) to(p.unknown, 0) = from(p.unknown, 0);
+  return part;
+}
+
 template <class Condition>
 double Supports::norm_where(const grid::Vector& unbalanced_force, const Condition& is_one) const {
   const auto force = unbalanced_force.getLocalViewHost(Tpetra::Access::ReadOnly);

@@ -78,6 +78,8 @@ class Supports {
   void rate(double load, grid::Vector& rate) const;
   /// Sets the prescribed components of a vector to zero.
   void clear(grid::Vector& v) const;
+  /// The prescribed components of a vector; 0 at the others.
+  grid::Vector prescribed_part(const grid::Vector& v) const;
   /// Euclidean norm of the unbalanced force (internal minus external) at the prescribed components
   /// of face conditions [pN]. Collective.
   double reaction_norm(const grid::Vector& unbalanced_force) const;

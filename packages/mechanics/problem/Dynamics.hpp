@@ -43,6 +43,13 @@ struct TimeScheme {
   KOKKOS_INLINE_FUNCTION double velocity(double dt, double v, double a, double a_1) const {
     return v + dt * ((1.0 - gamma) * a + gamma * a_1);
   }
+  /// The velocity that enters the balance, of those at the begin and at the end.
+  KOKKOS_INLINE_FUNCTION double velocity_at_balance(double v, double v_1) const {
+    return (1.0 - alpha_f) * v_1 + alpha_f * v;
+  }
+  KOKKOS_INLINE_FUNCTION double acceleration_at_balance(double a, double a_1) const {
+    return (1.0 - alpha_m) * a_1 + alpha_m * a;
+  }
   /// Of the derivative of the balance's velocity by its displacement [1/s].
   double velocity_rate(double dt) const { return gamma / (beta * dt); }
   /// Of its acceleration [1/s^2].

@@ -54,8 +54,8 @@ struct AtBalance {
     if (dt == 0.0) return;
     double v_1 = v, a_1 = a;
     AtEnd{scheme, dt}(d / (1.0 - scheme.alpha_f), v_1, a_1);
-    v = (1.0 - scheme.alpha_f) * v_1 + scheme.alpha_f * v;
-    a = (1.0 - scheme.alpha_m) * a_1 + scheme.alpha_m * a;
+    v = scheme.velocity_at_balance(v, v_1);
+    a = scheme.acceleration_at_balance(a, a_1);
   }
 };
 
@@ -69,7 +69,8 @@ Inertia::Inertia(const Body& body, double load)
       velocity_(body.halo().owned_map()),
       acceleration_(body.halo().owned_map()),
       prescribed_(body.halo().owned_map()),
-      arriving_(body.halo().owned_map()) {
+      arriving_(body.halo().owned_map()),
+      balancing_(body.halo().owned_map()) {
   const std::vector<double>& density = body.problem().density;
   if (density.size() != body.problem().laws.size())
     throw base::InputError(
@@ -284,7 +285,10 @@ double Inertia::balance_load(double end) const {
 void Inertia::set_load(double load) {
   const double way = (load - load_) / (1.0 - dynamics().scheme.alpha_f);
   step_ = std::max(way * body_.problem().duration, 0.0);
-  if (step_ > 0.0 && supports_ != nullptr) prescribe(load_ + way);
+  if (step_ == 0.0 || supports_ == nullptr) return;
+  prescribe(load_ + way);
+  supports_->rate(load, balancing_);
+  balancing_.scale(1.0 / body_.problem().duration);
 }
 
 /// The accelerations and velocities of prescribed components at the end of a step, from within it:
@@ -405,25 +409,21 @@ void Inertia::nodal_force(const TrialState& state, grid::Vector& force) const {
 grid::Vector Inertia::seen_by_scheme(const grid::Vector& u) const {
   const TimeScheme& scheme = dynamics().scheme;
   const AtBalance at_balance{scheme, step_};
-  const double time = body_.problem().duration, mass_damping = dynamics().mass_damping;
-  grid::Vector lacks(u.getMap()), rate(u.getMap());
-  supports_->rate(load_ + (1.0 - scheme.alpha_f) * step_ / time, rate);
-  const double per_displacement = 1.0 / mass_factor();
+  const double mass_damping = dynamics().mass_damping, per_displacement = 1.0 / mass_factor();
+  grid::Vector lacks(u.getMap());
   const auto lack = grid::node_view(lacks);
   const auto d = grid::node_view(u), from = grid::node_view(from_);
   const auto v = grid::node_view(velocity_), a = grid::node_view(acceleration_);
-  const auto end = grid::node_view(prescribed_);
-  const auto slope = grid::node_view(static_cast<const grid::Vector&>(rate));
+  const auto v_told = grid::node_view(balancing_), a_end = grid::node_view(prescribed_);
   for_each_number(
       "lack of prescribed", lack.extent(0), KOKKOS_LAMBDA(const int n, const int c) {
         double v_b = v(n, c), a_b = a(n, c);
         at_balance(d(n, c) - from(n, c), v_b, a_b);
-        const double asked = (1.0 - scheme.alpha_m) * end(n, c) + scheme.alpha_m * a(n, c);
-        lack(n, c) = per_displacement * (asked - a_b + mass_damping * (slope(n, c) / time - v_b));
+        const double a_lacks = scheme.acceleration_at_balance(a(n, c), a_end(n, c)) - a_b;
+        lack(n, c) = per_displacement * (a_lacks + mass_damping * (v_told(n, c) - v_b));
       });
-  grid::Vector of_free(lacks, Teuchos::Copy), seen(u, Teuchos::Copy);
-  supports_->clear(of_free);
-  seen.update(1.0, lacks, -1.0, of_free, 1.0);
+  grid::Vector seen = supports_->prescribed_part(lacks);
+  seen.update(1.0, u, 1.0);
   return seen;
 }
 
@@ -454,10 +454,9 @@ void Inertia::particle_force(const TrialState& state, grid::Vector& force) const
 
 /// beta_R K(u) v with the nodes' velocity at the balance.
 void Inertia::add_stiffness_damping(const TrialState& state, grid::Vector& force) const {
-  const double dt = step_, alpha = dynamics().scheme.alpha_f;
   grid::Vector velocity(velocity_, Teuchos::Copy);
-  if (dt > 0.0) {
-    const AtBalance at_balance{dynamics().scheme, dt};
+  if (step_ > 0.0) {
+    const AtBalance at_balance{dynamics().scheme, step_};
     const auto u = grid::node_view(state.u), from = grid::node_view(from_);
     const auto v = grid::node_view(velocity);
     const auto a = grid::node_view(acceleration_);
@@ -466,10 +465,8 @@ void Inertia::add_stiffness_damping(const TrialState& state, grid::Vector& force
           double a_b = a(n, c);
           at_balance(u(n, c) - from(n, c), v(n, c), a_b);
         });
-    grid::Vector free(velocity, Teuchos::Copy), rate(velocity_.getMap());
-    supports_->clear(free);
-    supports_->rate(load_ + (1.0 - alpha) * dt / body_.problem().duration, rate);
-    velocity.update(1.0, free, 1.0 / body_.problem().duration, rate, 0.0);
+    supports_->clear(velocity);
+    velocity.update(1.0, balancing_, 1.0);
   }
   // The halo gathers one vector at a time: the terms after this one want u again.
   auto points = state.points;

@@ -120,8 +120,8 @@ class Inertia : public Term {
   grid::Vector from_;      // displacement of the last accepted state [um]
   NodeView carried_from_;  // the same at the particles, of the consistent mass
   grid::Vector velocity_, acceleration_;
-  // Of prescribed components at the end of the step, from within it [um/s^2], [um/s].
-  grid::Vector prescribed_, arriving_;
+  // Of prescribed components at the end of the step, from within it [um/s^2], [um/s]; at the balance.
+  grid::Vector prescribed_, arriving_, balancing_;
 };
 
 }  // namespace stroma::mechanics
