@@ -140,6 +140,23 @@ std::string cut_note(const std::string& where, const LoadCurve& curve,
   return "";
 }
 
+/// A curve that ends with another value than it begins again with; empty where it does not.
+std::string jump_note(const std::string& where, const LoadCurve& curve,
+                      const LoadingParameters& loading) {
+  if (curve.beyond != Beyond::repeat || curve.interpolation == mechanics::Interpolation::step)
+    return "";
+  const auto [low, high] = std::minmax_element(curve.values.begin(), curve.values.end());
+  const double first = curve.values.front(), last = curve.values.back();
+  const double period = curve.loads.back() - curve.loads.front();
+  double jump = curve.loads.back();
+  if (jump <= 0.0) jump += period * (std::floor(-jump / period) + 1.0);
+  if (jump > 1.0 + rounding || std::abs(last - first) <= noticeable * (*high - *low)) return "";
+  return where + format(
+                     " jumps from %g to %g at %g s, where it begins again: a step that ends "
+                     "there has %g",
+                     last, first, jump * loading.seconds(), first);
+}
+
 }  // namespace
 
 std::vector<std::string> curve_notes(const std::string& name,
@@ -158,6 +175,7 @@ std::vector<std::string> curve_notes(const std::string& name,
        is_nothing ? std::vector<std::string>{nothing_note(where, curve, loading)}
                   : std::vector<std::string>{missed_note(where, curve, 1.0, met, loading),
                                              missed_note(where, curve, -1.0, met, loading),
+                                             jump_note(where, curve, loading),
                                              cut_note(where, curve, loading)})
     if (!note.empty()) notes.push_back(note);
   return notes;

@@ -7,6 +7,9 @@
 #include <numeric>
 #include <random>
 
+#include "stroma/base/Log.hpp"
+#include "study/Bands.hpp"
+
 namespace stroma {
 namespace {
 
@@ -117,6 +120,26 @@ std::vector<std::vector<double>> latin_hypercube(const UncertaintyParameters& un
     }
   }
   return draws;
+}
+
+std::vector<std::string> draw_notes(const UncertaintyParameters& uncertainty) {
+  constexpr double noticeable = 0.3;
+  const auto& inputs = uncertainty.inputs.all;
+  std::vector<std::vector<double>> columns(inputs.size());
+  for (const std::vector<double>& draw : latin_hypercube(uncertainty))
+    for (std::size_t i = 0; i < inputs.size(); ++i) columns[i].push_back(draw[i]);
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    for (std::size_t j = i + 1; j < inputs.size(); ++j) {
+      const double by_chance = rank_correlation(columns[i], columns[j]).value_or(0.0);
+      if (std::abs(by_chance) > noticeable)
+        notes.push_back(base::format(
+            "the draws of \"%s\" and \"%s\" have a rank correlation of %.2f by chance, so that the "
+            "effect of one shows in the correlation of the other; more Draws, or another Seed, "
+            "would part them",
+            inputs[i].first.c_str(), inputs[j].first.c_str(), by_chance));
+    }
+  return notes;
 }
 
 }  // namespace stroma

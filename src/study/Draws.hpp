@@ -51,4 +51,8 @@ double quantile(const InputParameters& input, double u);
 /// on any machine. (McKay, Beckman and Conover, Technometrics 21, 1979.)
 std::vector<std::vector<double>> latin_hypercube(const UncertaintyParameters& uncertainty);
 
+/// What a user should know of the draws before they run: inputs that happen to follow each other
+/// (rank correlation above 0.3), for then the effect of one cannot be told from the other's.
+std::vector<std::string> draw_notes(const UncertaintyParameters& uncertainty);
+
 }  // namespace stroma

@@ -79,6 +79,15 @@ TEST(CurveNotes, ACurveThatGoesOnAfterTheRunIsTold) {
                   "0.5; the last of Loading|Times [s] sets its end"});
 }
 
+TEST(CurveNotes, ASawtoothsJumpIsTold) {
+  const auto sawtooth = linear({0.0, 2.0}, {0.0, 1.0}, Beyond::repeat);
+  EXPECT_EQ(notes(sawtooth, in_steps(8, 4.0)),
+            Notes{"Load Curves|c jumps from 1 to 0 at 2 s, where it begins again: a step that ends "
+                  "there has 0"});
+  EXPECT_TRUE(notes(sawtooth, in_steps(8, 1.0)).size() == 1 &&
+              notes(sawtooth, in_steps(8, 1.0))[0].find("jumps") == std::string::npos);
+}
+
 TEST(CurveNotes, WhatStepsMeetIsNotTold) {
   EXPECT_EQ(notes(peak, in_steps(8, 4.0)), Notes{});
   EXPECT_EQ(notes(peak, at_times({0.7, 1.5, 4.0})), Notes{});

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "study/Bands.hpp"
 #include "study/Draws.hpp"
@@ -58,6 +59,27 @@ TEST(Draws, AreALatinHypercube) {
   UncertaintyParameters other = uncertainty;
   other.seed = 2;
   EXPECT_NE(latin_hypercube(other), draws);
+}
+
+/// Of few draws some follow each other; what is said is their rank correlation.
+TEST(Draws, ThatFollowEachOtherAreTold) {
+  EXPECT_TRUE(draw_notes(three_inputs(200)).empty());
+  const UncertaintyParameters few = three_inputs(5);
+  std::vector<std::vector<double>> columns(3);
+  for (const auto& draw : latin_hypercube(few))
+    for (std::size_t i = 0; i < 3; ++i) columns[i].push_back(draw[i]);
+  std::size_t told = 0;
+  const std::vector<std::string> notes = draw_notes(few);
+  for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+    const double r = *rank_correlation(columns[a], columns[b]);
+    if (std::abs(r) <= 0.3) continue;
+    char figure[16];
+    std::snprintf(figure, sizeof figure, "%.2f", r);
+    ASSERT_LT(told, notes.size());
+    EXPECT_NE(notes[told++].find(figure), std::string::npos) << notes[told - 1];
+  }
+  EXPECT_EQ(told, notes.size());
+  EXPECT_GT(told, 0u);
 }
 
 /// Of 0 ... 100 in any order; between neighbours, linear.
