@@ -39,6 +39,10 @@ else()
     stroma_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS})
   target_link_directories(stroma_trilinos INTERFACE ${Trilinos_LIBRARY_DIRS})
   target_link_libraries(stroma_trilinos INTERFACE ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES})
+  # Clang 19 looks into templates that nobody uses, and refuses KokkosSparse_spadd_handle.hpp of Trilinos 13.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 19)
+    target_compile_options(stroma_trilinos INTERFACE -fdelayed-template-parsing)
+  endif()
 endif()
 target_link_libraries(stroma_trilinos INTERFACE MPI::MPI_CXX)
 
