@@ -77,7 +77,7 @@ std::vector<double> history_values(const HistoryRow& row) {
 
 HistoryRow history_row(const std::vector<double>& values, const HistoryNames& names) {
   HistoryRow row;
-  if (names.has_inertia) row.motion.emplace();
+  if (names.has_inertia) row.motion = HistoryRow::Motion();
   row.reactions.resize(names.conditions.size());
   row.torques.resize(names.turning.size());
   row.materials.resize(names.materials.size());
