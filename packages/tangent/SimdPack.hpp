@@ -13,21 +13,25 @@ struct SimdPack;
 template <>
 struct SimdPack<float> {
   using Type = float __attribute__((vector_size(32)));
-  using Unaligned = float __attribute__((vector_size(32), aligned(4)));
 };
 template <>
 struct SimdPack<double> {
   using Type = double __attribute__((vector_size(64)));
-  using Unaligned = double __attribute__((vector_size(64), aligned(8)));
+};
+/// The same anywhere in an array. An attribute of alignment on the vector's type itself is lost where Clang
+/// finds it through a template.
+template <class T>
+struct __attribute__((packed, may_alias)) UnalignedPack {
+  typename SimdPack<T>::Type values;
 };
 
 template <class T>
 inline typename SimdPack<T>::Type load_pack(const T* from) {
-  return *reinterpret_cast<const typename SimdPack<T>::Unaligned*>(from);
+  return reinterpret_cast<const UnalignedPack<T>*>(from)->values;
 }
 template <class T>
 inline void add_pack(T* to, const typename SimdPack<T>::Type& values) {
-  *reinterpret_cast<typename SimdPack<T>::Unaligned*>(to) += values;
+  reinterpret_cast<UnalignedPack<T>*>(to)->values += values;
 }
 /// Eight floats as eight T.
 template <class T>
