@@ -39,6 +39,7 @@ std::string adjoint_obstacle(const Deck& deck, const std::string& path) {
       path.find("|Density [") != std::string::npos)
     return path + " is no number of a law";
   if (p.grid.reset) return "with Grid|Reset, a step rests on those before it";
+  if (p.loading.inertia) return "with Loading|Inertia, a step rests on those before it";
   for (const auto& [name, m] : materials) {
     const std::string of = "Materials|" + name + "|";
     if (m.viscosity) return of + "Viscosity remembers";

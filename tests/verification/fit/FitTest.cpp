@@ -202,7 +202,7 @@ TEST(Fit, AdjointIsTheDerivativeOfTheRuns) {
     const History adjoint = first_run("fit1" + one.name), on_two = first_run("fit2" + one.name);
     for (const auto& [path, value] : one.numbers) {
       const std::string column = "top.reaction_y by " + path;
-      const auto force = [&](double p) {
+      const auto force = [&, &path = path](double p) {
         char text[64];
         std::snprintf(text, sizeof text, "=%.17g", p);
         const Outcome outcome =
@@ -241,6 +241,51 @@ TEST(Fit, SaysWhatTheMeasurementsDoNotTell) {
   ASSERT_EQ(outcome.status, 0) << outcome.standard_output << outcome.standard_error;
   EXPECT_NE(outcome.standard_output.find("do not determine this combination"), std::string::npos)
       << outcome.standard_output;
+}
+
+/// A bar that swings: each step rests on those before it, which the adjoint of one step knows nothing of.
+const char* const swinging = R"(Stroma:
+  Image:
+    Phantom: {Kind: Uniform, Size: [2, 4, 2], "Voxel Size [um]": [1.0, 1.0, 1.0]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 550.0, Poisson Ratio: 0.3, "Density [kg/m^3]": 1000}
+  Grid: {"Element Size [um]": [1.0, 1.0, 1.0]}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: xyz, "Displacement [um]": [0, 0, 0]}
+  Initial Conditions:
+    pulled: {"Velocity Gradient [1/s]": [0, 0, 0, 0, 5000, 0, 0, 0, 0], "Center [um]": [0, 0, 0]}
+  Loading: {Steps: 12, "Duration [s]": 2.4e-5, Inertia: true}
+  Solver: {Newton Tolerance: 1.0e-12, Linear Tolerance: 1.0e-8}
+  Output: {Pictures: false, Report: false, Particles Every: 0, Grid Every: 0}
+)";
+
+TEST(Fit, OfABodyInMotionGoesByDifferences) {
+  const TemporaryFolder folder;
+  const History truth = run_deck(folder, "swinging", swinging);
+  std::string table = "time,force\n";
+  for (std::size_t n = 1; n < truth.rows(); ++n) {
+    char line[80];
+    std::snprintf(line, sizeof line, "%.17g,%.17g\n", truth["time"][n],
+                  truth["bottom.reaction_y"][n]);
+    table += line;
+  }
+  folder.write("force.csv", table);
+  const auto fit = [&](const std::string& gradient) {
+    folder.write("fit.yaml",
+                 "Fit:\n  Base Deck: swinging.yaml\n" + gradient + "  Parameters:\n" +
+                     number("gel", "Materials|gel|Shear Modulus [Pa]", "Start: 500") +
+                     "  Measurements:\n    m: {File: force.csv, Condition: bottom, Component: y, "
+                     "Against: Time, Abscissa Column: time, Force Column: force, Error: 1}\n");
+    return run_stroma(folder.path(), "fit fit.yaml");
+  };
+  const Outcome refused = fit("  Gradient: Adjoint\n");
+  EXPECT_EQ(refused.status, 2) << refused.standard_output;
+  EXPECT_NE(refused.standard_error.find("with Loading|Inertia, a step rests on those before it"),
+            std::string::npos)
+      << refused.standard_error;
+  const Outcome found = fit("");
+  ASSERT_EQ(found.status, 0) << found.standard_output << found.standard_error;
+  EXPECT_NEAR(estimate_of(folder, "fit", 2), 550.0, 1e-2) << found.standard_output;
 }
 
 TEST(BadFits, RunNothing) {
