@@ -81,6 +81,27 @@ std::string crossing_note(const mechanics::GridParameters& p) {
          "elements, forces fall by some per cent and stresses scatter; GIMP and CPDI do without";
 }
 
+/// Splines have more functions across a body than elements: with fewer particles there is a motion
+/// that strains none of them.
+std::vector<std::string> few_particles_notes(const shape::ShapeKind& kind,
+                                             const Specimen& specimen) {
+  std::vector<std::string> notes;
+  if (kind.width < 4) return notes;  // no spline
+  const grid::Grid& body = specimen.body;
+  for (std::size_t d = 0; d < (body.flat ? 2 : 3); ++d) {
+    const std::int64_t functions = body.elements[d] + kind.width - 2;
+    const auto particles = static_cast<std::int64_t>(specimen.layout.half_edge[d].size());
+    if (particles < functions)
+      notes.push_back(base::format(
+          "Shape Functions = %s has %lld functions across the body along %c, but %lld particles: "
+          "the tangent may be singular, steps rejected and linear iterations many; more elements, "
+          "more particles an element or other Shape Functions help",
+          kind.name, static_cast<long long>(functions), "xyz"[d],
+          static_cast<long long>(particles)));
+  }
+  return notes;
+}
+
 }  // namespace
 
 SpecimenImage read_image(const base::Communicator& communicator, const Deck& deck) {
@@ -174,6 +195,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   if (!locking.empty()) specimen.notes.push_back(locking);
   const std::string crossing = crossing_note(p.grid);
   if (!crossing.empty()) specimen.notes.push_back(crossing);
+  for (std::string& note : few_particles_notes(shape::kind_of(p.grid.shape_functions), specimen))
+    specimen.notes.push_back(std::move(note));
   for (std::string& note : notes_without_effect(p)) specimen.notes.push_back(std::move(note));
   for (const auto& [name, curve] : p.load_curves.curves)
     if (is_followed(p, name))

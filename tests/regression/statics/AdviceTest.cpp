@@ -88,6 +88,19 @@ TEST(Advice, ContrastIsNotedWhereItMatters) {
   EXPECT_FALSE(is_noted("", "check "));
 }
 
+TEST(Advice, FewerParticlesThanSplinesAreNoted) {
+  const auto is_noted = [&](const std::string& settings) {
+    const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, "check ");
+    return outcome.standard_output.find("functions across the body along x, but") !=
+           std::string::npos;
+  };
+  const std::string cubic = " --set 'Grid|Shape Functions=Cubic B-Spline'";
+  EXPECT_TRUE(is_noted(cubic + " --set 'Grid|Elements={2, 4, 4}' --set 'Particles|Layout=Per "
+                               "Element' --set 'Particles|Per Element=2'"));
+  EXPECT_FALSE(is_noted(cubic));
+  EXPECT_FALSE(is_noted(" --set 'Grid|Elements={2, 4, 4}'"));
+}
+
 // V-TIME-6.
 TEST(Advice, CurvesThatStepsDoNotMeetAreNoted) {
   const std::string note =
