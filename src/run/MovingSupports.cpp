@@ -2,6 +2,7 @@
 
 #include "run/MovingSupports.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 namespace stroma {
@@ -20,6 +21,9 @@ std::vector<output::MovingSupport> moving_supports(const DeckParameters& paramet
       if (condition.prescribes(c))
         support.displacement[static_cast<std::size_t>(c)] =
             condition.full(c, length, {0.0, 0.0, 0.0}, length);
+    const auto [x, y, z] = support.displacement;
+    const double distance = std::hypot(x, y, z);
+    support.along = {x / distance, y / distance, z / distance};
     support.strain = condition.strain.value_or(0.0);
     support.follows_load = condition.curve.is_load();
     moving.push_back(support);

@@ -76,7 +76,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
   log.line(format("study       %s: %zu members, %zu of them finished before", study_deck.c_str(),
                   count, kept));
   if (plan.study.parameters.uncertainty)
-    for (const std::string& note : draw_notes(*plan.study.parameters.uncertainty)) log.note(note);
+    for (const std::string& note : uncertainty_notes(plan)) log.note(note);
 
   std::vector<MemberResult> results(count);
   for (std::size_t m = 0; m < count; ++m) {

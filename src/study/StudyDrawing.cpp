@@ -50,8 +50,7 @@ std::string draw_forces(const base::Communicator& communicator, const StudyPlan&
   for (std::size_t m = 0; m < plan.members.size(); ++m) {
     const output::MovingSupport* support = drawn_support(plan, m);
     if (support == nullptr || results[m].history.rows() == 0) continue;
-    const auto& way = support->displacement;
-    const double scale = by_strain ? support->strain : std::hypot(way[0], way[1], way[2]);
+    const double scale = by_strain ? support->strain : moved_along(*support);
     output::ForceCurve curve{curve_name(plan.study.variations, plan.members[m]),
                              {},
                              force_along(*support, results[m].history)};

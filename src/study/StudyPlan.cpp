@@ -84,6 +84,34 @@ MemberFacts facts_of(const Deck& deck, const VoxelLattice& image) {
   return facts;
 }
 
+/// Members that are draws of one distribution: the force of a support is told along one direction in
+/// all, that of the member which moves it farthest, of those that pull if any do; and of a member that
+/// happens not to move it, too.
+void share_directions(std::vector<MemberFacts>& facts) {
+  std::map<std::size_t, output::MovingSupport> farthest;  // by the index of the condition
+  for (const MemberFacts& member : facts)
+    for (const output::MovingSupport& support : member.moving) {
+      output::MovingSupport& most = farthest.emplace(support.index, support).first->second;
+      const auto rank_of = [](const output::MovingSupport& one) {
+        return std::pair(one.strain > 0.0, moved_along(one));
+      };
+      if (rank_of(support) > rank_of(most)) most = support;
+    }
+  for (MemberFacts& member : facts) {
+    std::map<std::size_t, output::MovingSupport> moving = farthest;
+    for (auto& [index, support] : moving) {
+      support.displacement = {};
+      support.strain = 0.0;
+    }
+    for (output::MovingSupport support : member.moving) {
+      support.along = farthest.at(support.index).along;
+      moving.at(support.index) = support;
+    }
+    member.moving.clear();
+    for (const auto& [index, support] : moving) member.moving.push_back(support);
+  }
+}
+
 /// The image as the deck reads it, but for how it is segmented: what its size depends on.
 std::string image_apart_from_segmentation(const Deck& deck) {
   Teuchos::ParameterList image = as_run(deck)->sublist("Image");
@@ -200,6 +228,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
     }
   }
   mistakes.throw_if_any(study_deck, plan->members.size());
+  if (plan->study.parameters.uncertainty) share_directions(plan->facts);
   check_names(*plan);
   return std::move(*plan);
 }

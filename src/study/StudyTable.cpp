@@ -52,14 +52,18 @@ std::string line_of(const std::vector<std::string>& fields) {
 
 std::vector<double> force_along(const output::MovingSupport& support,
                                 const output::HistoryTable& history) {
-  const auto& way = support.displacement;
-  const double length = std::hypot(way[0], way[1], way[2]);
   std::vector<double> force(history.rows(), 0.0);
   for (std::size_t d = 0; d < 3; ++d) {
     const auto& reaction = history.column(support.name + ".reaction_" + "xyz"[d]);
-    for (std::size_t s = 0; s < force.size(); ++s) force[s] += reaction[s] * (way[d] / length);
+    for (std::size_t s = 0; s < force.size(); ++s) force[s] += reaction[s] * support.along[d];
   }
   return force;
+}
+
+double moved_along(const output::MovingSupport& support) {
+  double sum = 0.0;
+  for (std::size_t d = 0; d < 3; ++d) sum += support.displacement[d] * support.along[d];
+  return sum;
 }
 
 std::string study_table(const std::vector<Variation>& variations,

@@ -34,14 +34,17 @@ struct MemberFacts {
   VoxelLattice image;
 };
 
-/// Force of a support along its displacement [pN] at each row of the history.
+/// Force of a support along its direction [pN] at each row of the history.
 std::vector<double> force_along(const output::MovingSupport& support,
                                 const output::HistoryTable& history);
+
+/// How far a support moves along its direction at a factor of 1 [um].
+double moved_along(const output::MovingSupport& support);
 
 /// study.csv: a header, and a row for each member:
 ///
 ///     member, each variation, status (done, failed, waiting), load (reached), NAME.force of each
-///     moving support (along its displacement, pN), the columns of the comparison, strain_energy
+///     moving support (along its displacement, of draws along that of the draw that moves it farthest, pN), the columns of the comparison, strain_energy
 ///     [aJ], NAME.von_mises_mean of each material [Pa], newton_iterations and linear_iterations (of
 ///     all steps), wall_seconds, and what the deck asks for besides
 ///

@@ -35,7 +35,7 @@ Choice choice_of(const std::string& name, const InputList& inputs,
 /// Where the members of a study with draws are, and what their forces are. For one rank.
 struct Draws {
   std::vector<std::size_t> done;     ///< members that are draws and reached full load
-  std::vector<ForceRecord> records;  ///< of these
+  std::vector<ForceRecord> records;  ///< of these, where a support moves
   std::optional<ForceRecord> middle, finer;
   std::vector<std::string> names;                   ///< of inputs
   std::vector<std::vector<double>> inputs;          ///< (input) (draw that is done)
@@ -52,13 +52,14 @@ Draws draws_in(const StudyPlan& plan, const std::vector<MemberResult>& results) 
   for (const auto& named : uncertainty.inputs.all) draws.names.push_back(named.first);
   draws.inputs.resize(draws.names.size());
   for (std::size_t m = first; m < records.size(); ++m) {
-    if (!records[m]) continue;
+    if (results[m].status != MemberStatus::done) continue;
     draws.done.push_back(m);
-    draws.records.push_back(*records[m]);
+    if (records[m]) draws.records.push_back(*records[m]);
     const Choice& choice = plan.study.variations.front().choices[m];
     for (std::size_t i = 0; i < draws.inputs.size(); ++i)
       draws.inputs[i].push_back(std::stod(choice.settings[i].value));
   }
+  if (draws.records.empty()) return draws;
   std::vector<double> at_end;
   for (const ForceRecord& record : draws.records) at_end.push_back(record.force.back());
   for (const std::vector<double>& input : draws.inputs)
@@ -93,10 +94,11 @@ std::string bands_table(const Draws& draws, const std::vector<double>& loads,
 
 std::vector<std::string> summary(const Draws& draws, const Band& end) {
   std::vector<std::string> lines{
-      format("force of %zu draws at full load: median %.6g pN, 5 to 95 %%: %.6g to %.6g pN (%+.2f "
-             "to %+.2f %%)",
-             draws.done.size(), end.median, end.low, end.high, 100.0 * (end.low / end.median - 1.0),
-             100.0 * (end.high / end.median - 1.0))};
+      format("force of %zu draws at full load: median %.6g pN, 5 to 95 %%: %.6g to %.6g pN",
+             draws.done.size(), end.median, end.low, end.high)};
+  if (end.low * end.high > 0.0)
+    lines.front() += format(" (%+.2f to %+.2f %%)", 100.0 * (end.low / end.median - 1.0),
+                            100.0 * (end.high / end.median - 1.0));
   for (std::size_t i = 0; i < draws.names.size(); ++i) {
     const std::optional<double>& correlation = draws.correlations[i];
     lines.push_back(format("  rank correlation with %s: %s", draws.names[i].c_str(),
@@ -117,19 +119,25 @@ std::string correlations_table(const Draws& draws) {
   return table;
 }
 
+/// Whether the drawn support has the same displacement in all members.
+bool moves_alike(const StudyPlan& plan) {
+  for (std::size_t m = 1; m < plan.members.size(); ++m)
+    if (drawn_support(plan, m)->displacement != drawn_support(plan, 0)->displacement) return false;
+  return true;
+}
+
 std::string draw_band(const base::Communicator& communicator, const StudyPlan& plan,
                       const Draws& draws, const std::vector<double>& loads,
                       const std::vector<Band>& bands, const std::string& folder) {
   const output::MovingSupport& support = *drawn_support(plan, 0);
-  const auto& way = support.displacement;
   output::ForceBand band;
-  double scale = std::hypot(way[0], way[1], way[2]);
+  double scale = moved_along(support);
   band.abscissa = "displacement (µm)";
   if (support.strain != 0.0) {
     scale = 100.0 * support.strain;
     band.abscissa = "strain (%)";
   }
-  if (!support.follows_load) {
+  if (!support.follows_load || !moves_alike(plan)) {
     scale = 1.0;
     band.abscissa = "load factor";
   }
@@ -142,6 +150,24 @@ std::string draw_band(const base::Communicator& communicator, const StudyPlan& p
     if (draws.middle) band.middle.push_back(force_at(*draws.middle, loads[s]));
   }
   return output::draw_force_band(communicator, folder, plan.title, support.name, band);
+}
+
+void tell_forces(const base::Communicator& communicator, const StudyPlan& plan, const Draws& draws,
+                 const std::string& folder, base::Log& log) {
+  std::vector<double> loads;
+  std::vector<Band> bands;
+  base::collectively(communicator, [&] {
+    if (!communicator.is_root()) return;
+    loads = draws.records.front().load;
+    bands = force_bands(draws.records, loads);
+    output::write_file(folder + "/draws.csv", draws_table(plan, draws));
+    output::write_file(folder + "/bands.csv", bands_table(draws, loads, bands));
+    output::write_file(folder + "/correlations.csv", correlations_table(draws));
+  });
+  if (communicator.is_root())
+    for (const std::string& line : summary(draws, bands.back())) log.line(line);
+  const std::string failure = draw_band(communicator, plan, draws, loads, bands, folder);
+  if (!failure.empty()) log.note(failure);
 }
 
 }  // namespace
@@ -165,6 +191,15 @@ Variation draws_of(const UncertaintyParameters& uncertainty) {
   return variation;
 }
 
+std::vector<std::string> uncertainty_notes(const StudyPlan& plan) {
+  const UncertaintyParameters& uncertainty = *plan.study.parameters.uncertainty;
+  std::vector<std::string> notes = draw_notes(uncertainty);
+  if (drawn_support(plan, 0) == nullptr)
+    notes.push_back("no boundary condition moves, so that there will be no bands of force" +
+                    std::string(uncertainty.stress_bands ? ", only of stress" : ""));
+  return notes;
+}
+
 void tell_uncertainty(const base::Communicator& communicator, const StudyPlan& plan,
                       const std::vector<MemberResult>& results, const std::string& folder,
                       base::Log& log) {
@@ -172,20 +207,7 @@ void tell_uncertainty(const base::Communicator& communicator, const StudyPlan& p
   std::size_t count = draws.done.size();
   communicator.broadcast(count);
   if (count < fewest_draws) return log.note("too few draws reached full load for bands");
-  std::vector<double> loads;
-  std::vector<Band> bands;
-  base::collectively(communicator, [&] {
-    if (!communicator.is_root()) return;
-    loads = draws.records.front().load;
-    bands = force_bands(draws.records, loads);
-    output::write_file(folder + "/draws.csv", draws_table(plan, draws));
-    output::write_file(folder + "/bands.csv", bands_table(draws, loads, bands));
-    output::write_file(folder + "/correlations.csv", correlations_table(draws));
-  });
-  if (communicator.is_root())
-    for (const std::string& line : summary(draws, bands.back())) log.line(line);
-  const std::string failure = draw_band(communicator, plan, draws, loads, bands, folder);
-  if (!failure.empty()) log.note(failure);
+  if (drawn_support(plan, 0) != nullptr) tell_forces(communicator, plan, draws, folder, log);
   if (!plan.study.parameters.uncertainty->stress_bands) return;
   std::vector<std::string> folders(count);
   for (std::size_t n = 0; n < count; ++n) {

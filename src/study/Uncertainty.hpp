@@ -20,6 +20,10 @@ namespace stroma {
 /// finer elements ("middle on finer elements") if these are asked for, and the draws.
 Variation draws_of(const UncertaintyParameters& uncertainty);
 
+/// What a user should know before the draws run: inputs that follow each other by chance, and that
+/// there is no force to tell bands of where no support moves.
+std::vector<std::string> uncertainty_notes(const StudyPlan& plan);
+
 /// Writes the tables and pictures of the draws that reached full load, and prints what they tell;
 /// with fewer than five there is nothing to tell but that. Collective; histories are rank 0's.
 /// \throws base::RunError when a file cannot be read or written

@@ -20,7 +20,8 @@ namespace stroma::output {
 struct MovingSupport {
   std::string name;
   std::size_t index = 0;                 ///< of its reaction in HistoryRow::reactions
-  std::array<double, 3> displacement{};  ///< at a factor of 1 [um]; not zero
+  std::array<double, 3> displacement{};  ///< at a factor of 1 [um]
+  std::array<double, 3> along{};         ///< which its force is told, of length 1
   double strain = 0;                     ///< likewise [-]; 0 when the deck gave no strain
   bool follows_load = true;              ///< else a curve of its own is the factor
 };

@@ -120,6 +120,60 @@ void expect_the_draws_own_bands(int ranks) {
 TEST(Uncertainty, OfAUniformBlockIsThatOfItsModulus) { expect_the_draws_own_bands(1); }
 TEST(Uncertainty, IsTheSameOnTwoRanks) { expect_the_draws_own_bands(2); }
 
+std::string of_strain(const std::string& distribution) {
+  return "      strain: {Path: \"Boundary Conditions|top|Strain\", " + distribution + "}\n";
+}
+
+/// Draws that pull and draws that push: their forces differ in sign, whether or not the middle moves.
+TEST(Uncertainty, PullingAndPushingDifferInSign) {
+  for (const char* distribution : {"Range: [-0.05, 0.05]", "Range: [-0.05, 0.04]"}) {
+    const TemporaryFolder folder;
+    folder.write("base.yaml", block);
+    folder.write("study.yaml", study_of(of_strain(distribution)));
+    const Outcome outcome = run_stroma(folder.path(), "study study.yaml");
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_output << outcome.standard_error;
+    const fs::path study = folder.path() / "study";
+    std::ifstream draws(study / "draws.csv");
+    std::string line, member;
+    int pulled = 0;
+    std::getline(draws, line);
+    while (std::getline(draws, line)) {
+      std::stringstream row(line);
+      std::getline(row, member, ',');
+      double strain = 0.0, force = 0.0;
+      char comma = 0;
+      row >> strain >> comma >> force;
+      EXPECT_GT(strain * force, 0.0) << line;
+      pulled += strain > 0.0 ? 1 : 0;
+    }
+    EXPECT_TRUE(pulled > 0 && pulled < 8);
+    EXPECT_NE(content_of(study / "correlations.csv").find("strain,1\n"), std::string::npos)
+        << content_of(study / "correlations.csv");
+    const History bands(study / "bands.csv");
+    EXPECT_LT(bands["low"].back(), bands["middle"].back());
+    EXPECT_LT(bands["middle"].back(), bands["high"].back());
+    EXPECT_EQ(content_of(study / "force_band.png").rfind("\x89PNG", 0), 0u);
+  }
+}
+
+/// A body that a traction loads: there is no force to tell of, but there are stresses.
+TEST(Uncertainty, WithoutASupportThatMovesHasBandsOfStress) {
+  const TemporaryFolder folder;
+  const std::string moved = "    top: {Face: y+, Components: y, Strain: 0.1}\n";
+  std::string pulled = block;
+  pulled.replace(pulled.find(moved), moved.size(),
+                 "  External Forces:\n    pull: {Face: y+, \"Traction [Pa]\": [0, 50, 0]}\n");
+  folder.write("base.yaml", pulled);
+  folder.write("study.yaml", study_of(modulus));
+  const Outcome outcome = run_stroma(folder.path(), "study study.yaml");
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_output << outcome.standard_error;
+  EXPECT_NE(outcome.standard_output.find("no bands of force, only of stress"), std::string::npos)
+      << outcome.standard_output;
+  EXPECT_EQ(outcome.standard_output.find("too few"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder.path() / "study/von_mises_50.tif"));
+  EXPECT_FALSE(fs::exists(folder.path() / "study/bands.csv"));
+}
+
 TEST(BadUncertainties, RunNothing) {
   const TemporaryFolder folder;
   folder.write("base.yaml", block);
