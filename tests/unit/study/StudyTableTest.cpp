@@ -26,7 +26,7 @@ TEST(StudyTable, HasARowForEachMember) {
                                     {"4 px", "4_px", {"4 px"}, {"4 px"}, {}},
                                     {"2 px", "2_px", {"2 px"}, {"2 px"}, {}}};
   MemberFacts facts;
-  facts.moving = {{"top", 0, {3.0, 4.0, 0.0}, 0.0}};
+  facts.moving = {{"top", 0, {3.0, 4.0, 0.0}, {0.6, 0.8, 0.0}}};
   facts.materials = {"a \"b\", c"};
   std::vector<MemberResult> results(3);
   results[0].status = MemberStatus::done;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /// \file
-/// `stroma fit` as a user runs it (V-FIT-1, V-FIT-2, V-FIT-4): it finds the number by which a force was
+/// `stroma fit` as a user runs it (V-FIT-1, V-FIT-2, V-FIT-2B, V-FIT-4): it finds the number by which a force was
 /// made, its derivatives are those of the runs, and wrong decks run nothing.
 
 #include <gtest/gtest.h>
