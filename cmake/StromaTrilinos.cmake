@@ -40,9 +40,8 @@ else()
   target_link_directories(stroma_trilinos INTERFACE ${Trilinos_LIBRARY_DIRS})
   target_link_libraries(stroma_trilinos INTERFACE ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES})
   # Clang 19 looks into templates that nobody uses, and refuses KokkosSparse_spadd_handle.hpp of Trilinos 13.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 19)
-    target_compile_options(stroma_trilinos INTERFACE -fdelayed-template-parsing)
-  endif()
+  set(is_clang_19 $<AND:$<CXX_COMPILER_ID:Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,19>>)
+  target_compile_options(stroma_trilinos INTERFACE $<${is_clang_19}:-fdelayed-template-parsing>)
 endif()
 target_link_libraries(stroma_trilinos INTERFACE MPI::MPI_CXX)
 

@@ -3,18 +3,19 @@
 # Builds and tests the committed state (HEAD) on a Debian of its own: makes a root with debootstrap, or takes the one that
 # is there, clones into it and runs there what the README says. As root, with debootstrap installed.
 #
-#   cmake/try_on_debian.sh bookworm|trixie|sid [--root DIR] [--part demo|test|user] [--ccache DIR]
+#   cmake/try_on_debian.sh bookworm|trixie|sid [--root DIR] [--part demo|test|user|clang] [--ccache DIR]
 #
 #   --root DIR      where the root is; else build/roots/SUITE. It takes 8 GB and may lie outside the project
 #   --part PART     demo: cmake/demo.sh only; test: the tests only; else both. On sid the tests are those of the preset
 #                   release that are marked unit or verification, and the applications that couple. user: the demo by
-#                   one who is not root and may not write to the clone
+#                   one who is not root and may not write to the clone. clang: the preset release by clang++, with
+#                   the unit tests: on trixie, for the ITK of bookworm does not admit it
 #   --ccache DIR    a folder of compiled objects to share between roots; else one inside the root
 #
 # Prints the time of each part and the number of tests. Mounts go away at the end, the root stays: rm -r removes it.
 set -euo pipefail
 project=$(cd "$(dirname "$0")/.." && pwd)
-usage() { sed -n '3,14s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '3,15s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 suite=${1:-}
 [[ $suite =~ ^(bookworm|trixie|sid)$ ]] || usage
 shift
@@ -27,7 +28,7 @@ while [[ $# -gt 0 ]]; do
     *) usage ;;
   esac
 done
-[[ $part =~ ^(demo|test|user|both)$ ]] || usage
+[[ $part =~ ^(demo|test|user|clang|both)$ ]] || usage
 [[ $(id -u) -eq 0 ]] || { echo "try_on_debian.sh: chroot and mount need root" >&2; exit 1; }
 command -v debootstrap >/dev/null || { echo "try_on_debian.sh: apt-get install debootstrap" >&2; exit 1; }
 mkdir -p "$root"
@@ -100,6 +101,13 @@ inside '. /etc/os-release; echo "== $PRETTY_NAME, $(git rev-parse --short HEAD),
   dpkg-query -W -f "== \${Package} \${Version}\n" trilinos-all-dev libtiff-dev libhdf5-openmpi-dev libopenmpi-dev'
 if [[ $part == user ]]; then
   timed 'demo as a user' 'bash cmake/demo.sh --build "$HOME/build"' nobody
+  exit
+fi
+if [[ $part == clang ]]; then
+  inside 'bash cmake/install_dependencies.sh test && apt-get install -qq -y clang >/dev/null'
+  timed 'build by clang' 'cmake --preset release -B build/clang -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ \
+    -D STROMA_NATIVE=OFF -D STROMA_TESTS=ON && cmake --build build/clang --parallel "$(nproc)"'
+  timed 'unit tests' 'ctest --test-dir build/clang --output-on-failure --label-regex unit'
   exit
 fi
 [[ $part == test ]] || timed demo 'bash cmake/demo.sh'
