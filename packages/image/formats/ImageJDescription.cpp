@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "stroma/base/Log.hpp"
+#include "stroma/image/formats/HeaderText.hpp"
 #include "stroma/image/formats/WholeNumber.hpp"
 
 namespace stroma::image {
@@ -79,7 +80,7 @@ void read_values(const Settings& settings, ImageJDescription& read) {
   }
   const auto coefficient = [&](const char* key, double otherwise) {
     const std::string* text = text_of(settings, key);
-    return text ? std::strtod(text->c_str(), nullptr) : otherwise;
+    return text ? to_real(trimmed(*text)).value_or(std::nan("")) : otherwise;
   };
   const double c0 = coefficient("c0", 0.0), c1 = coefficient("c1", 1.0);
   if (!std::isfinite(c0) || !std::isfinite(c1) || c1 == 0.0) {
@@ -99,8 +100,12 @@ void read_lengths(const Settings& settings, ImageJDescription& read) {
   read.unit = unit("unit", "");
   read.y_unit = unit("yunit", read.unit);
   read.z_unit = unit("zunit", read.unit);
-  if (const std::string* spacing = text_of(settings, "spacing"))
-    read.spacing = std::strtod(spacing->c_str(), nullptr);
+  const std::string* const spacing = text_of(settings, "spacing");
+  if (spacing == nullptr) return;
+  read.spacing = to_real(trimmed(*spacing)).value_or(0.0);  // 0: none, and that is told
+  if (!to_real(trimmed(*spacing)))
+    read.notes.push_back("ImageJ's spacing, \"" + printable(*spacing) +
+                         "\", is no number; not used");
 }
 
 }  // namespace

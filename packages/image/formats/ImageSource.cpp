@@ -49,13 +49,24 @@ std::string first_bytes(const std::string& path) {
   return head;
 }
 
+/// HDF5's signature stands at the begin, or behind a block of the user's of 512, 1024, ... bytes, such as
+/// the head of a MATLAB 7.3 file.
+bool has_hdf5_signature(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string signature(8, '\0');
+  for (std::streamoff at = 0; file.seekg(at) && file.read(signature.data(), 8);
+       at = at == 0 ? 512 : 2 * at)
+    if (signature == "\x89HDF\r\n\x1a\n") return true;
+  return false;
+}
+
 Format format_of(const std::string& path) {
   if (is_zarr(path)) return Format::zarr;
   const std::string head = first_bytes(path);
   const bool tiff_order = begins_with(head, "II") || begins_with(head, "MM");
   if (tiff_order && head.size() >= 4 && (head[2] + head[3] == 42 || head[2] + head[3] == 43))
     return Format::tiff;  // 42: classic, 43: BigTIFF
-  if (begins_with(head, "\x89HDF\r\n\x1a\n")) return Format::hdf5;
+  if (has_hdf5_signature(path)) return Format::hdf5;
   if (begins_with(head, "NRRD")) return Format::nrrd;
   if (is_nifti(head)) return Format::nifti;
   if (head.find("ObjectType") != std::string::npos || head.find("NDims") != std::string::npos)

@@ -26,8 +26,8 @@ std::optional<double> micrometres_per(const std::string& unit) {
   replace_all(name, "\xCE\xBC", "u");  // Greek mu, UTF-8
   replace_all(name, "\xC3\x85", "angstrom");
   replace_all(name, "\xE2\x84\xAB", "angstrom");
-  replace_all(name, "\xB5", "u");  // micro sign, Latin-1
-  if (name == "Mm") return std::nullopt;
+  replace_all(name, "\xB5", "u");                         // micro sign, Latin-1
+  if (name == "Mm" || name == "Pm") return std::nullopt;  // mega-, petametres
   std::string key;
   for (const char c : name) {
     if (!std::isspace(static_cast<unsigned char>(c)) && c != '\0')

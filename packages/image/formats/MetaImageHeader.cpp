@@ -153,11 +153,12 @@ void take_spacing(VolumeHeader& header, const HeaderFields& fields, std::size_t 
       set_spacing(header, static_cast<int>(d), spacing[d], *unit);
   }
   for (const char* const matrix : {"TransformMatrix", "Orientation", "Rotation"}) {
-    if (!fields.has(matrix) || dimensions > 3) continue;
+    if (!fields.has(matrix)) continue;
     const std::vector<double> numbers = fields.reals(matrix, dimensions * dimensions);
-    std::vector<std::array<double, 3>> axes(dimensions, {0.0, 0.0, 0.0});
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      axes[i / dimensions][i % dimensions] = numbers[i];
+    const std::size_t in_space = std::min<std::size_t>(dimensions, 3);
+    std::vector<std::array<double, 3>> axes(in_space, {0.0, 0.0, 0.0});
+    for (std::size_t i = 0; i < in_space; ++i)
+      for (std::size_t j = 0; j < in_space; ++j) axes[i][j] = numbers[i * dimensions + j];
     return note_orientation(header, axes);
   }
 }

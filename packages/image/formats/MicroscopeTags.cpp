@@ -4,6 +4,7 @@
 
 #include <tiff.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "stroma/image/formats/WholeNumber.hpp"
@@ -54,12 +55,17 @@ void read_uic2(TiffDirectory& directory, const TiffEntry& entry, StkTags& tags) 
                     ? static_cast<std::int64_t>(entry.count)
                     : 0;
   for (std::int64_t plane = 0; plane < tags.planes; ++plane) {
-    const auto distance = quotient(directory, entry.value + 24 * static_cast<std::uint64_t>(plane));
-    if (!distance) {
+    const std::uint64_t place = entry.value + 24 * static_cast<std::uint64_t>(plane);
+    const auto numerator = directory.integer(place, 4),
+               denominator = directory.integer(place + 4, 4);
+    if (!numerator || !denominator || *denominator == 0) {
       tags.z_distances.clear();
       return;
     }
-    tags.z_distances.push_back(*distance);
+    // Where the stage moves down it is negative, in an unsigned number's place.
+    const auto step = static_cast<std::int32_t>(static_cast<std::uint32_t>(*numerator));
+    tags.z_distances.push_back(std::abs(static_cast<double>(step)) /
+                               static_cast<double>(*denominator));
   }
 }
 

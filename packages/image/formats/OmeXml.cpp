@@ -5,12 +5,12 @@
 #include <expat.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <type_traits>
 
+#include "stroma/image/formats/HeaderText.hpp"
 #include "stroma/image/formats/WholeNumber.hpp"
 
 namespace stroma::image {
@@ -61,8 +61,12 @@ void start_pixels(const char** attributes, OmePixels& pixels) {
   pixels.size_t = integer(attributes, "SizeT", 1, 1, pixels);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string attribute = std::string("PhysicalSize") + "XYZ"[axis];
-    if (const char* size = find(attributes, attribute))
-      pixels.physical_size[axis] = std::strtod(size, nullptr);
+    if (const char* size = find(attributes, attribute)) {
+      pixels.physical_size[axis] = to_real(trimmed(size));
+      if (!pixels.physical_size[axis])
+        pixels.notes.push_back("the OME attribute " + attribute + ", \"" + printable(size) +
+                               "\", is no number; not used");
+    }
     if (const char* unit = find(attributes, attribute + "Unit")) pixels.physical_unit[axis] = unit;
   }
 }

@@ -28,9 +28,10 @@ struct OmePixels {
   std::array<std::optional<double>, 3> physical_size;          ///< x, y, z in the units below
   std::array<std::string, 3> physical_unit{"um", "um", "um"};  ///< the standard's default
   std::vector<OmePlanes> planes;
-  std::string uuid;           ///< of the file itself
-  int images = 0;             ///< of the document
-  bool is_latin1 = false;     ///< says UTF-8, but is not
+  std::string uuid;                ///< of the file itself
+  int images = 0;                  ///< of the document
+  bool is_latin1 = false;          ///< says UTF-8, but is not
+  std::vector<std::string> notes;  ///< what of it cannot be used
   std::string contradiction;  ///< the first attribute that cannot be: 'SizeZ="-8"'; empty: none
 };
 

@@ -104,10 +104,6 @@ TiffPages::TiffPages(const std::string& path)
 
 void TiffPages::read_directories() {
   do {
-    std::uint32_t subfile = 0;
-    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_SUBFILETYPE, &subfile);
-    // Thumbnails, the lower levels of a pyramid and transparency are no planes of the volume.
-    if (subfile & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) continue;
     pages_.push_back(describe_page());
   } while (TIFFReadDirectory(file_.get()));
   if (!last_reason.empty()) {
@@ -116,6 +112,16 @@ void TiffPages::read_directories() {
                       TiffMessages::reason());
   }
   if (pages_.empty()) refuse(path_, "is a TIFF file without a page");
+}
+
+std::vector<TiffPage> TiffPages::leave_out_extras() {
+  std::vector<TiffPage> out;
+  const auto kept = std::stable_partition(pages_.begin(), pages_.end(),
+                                          [](const TiffPage& page) { return !page.is_extra; });
+  if (kept == pages_.begin()) return out;
+  out.assign(kept, pages_.end());
+  pages_.erase(kept, pages_.end());
+  return out;
 }
 
 TiffPage TiffPages::describe_page() {
@@ -149,19 +155,31 @@ TiffPage TiffPages::describe_page() {
   page.type.kind = format == SAMPLEFORMAT_INT      ? ValueType::Kind::signed_integer
                    : format == SAMPLEFORMAT_IEEEFP ? ValueType::Kind::floating
                                                    : ValueType::Kind::unsigned_integer;
+  std::uint32_t subfile = 0;
+  TIFFGetFieldDefaulted(file, TIFFTAG_SUBFILETYPE, &subfile);
+  page.is_extra = (subfile & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0;
+  std::uint16_t fill_order = FILLORDER_MSB2LSB;
+  TIFFGetFieldDefaulted(file, TIFFTAG_FILLORDER, &fill_order);
+  page.bits_reversed = fill_order == FILLORDER_LSB2MSB;
   page.trouble = trouble_with(format, bits, photometric, compression);
   return page;
 }
 
 void TiffPages::read_tags() {
-  go_to(0);
+  const auto own = std::find_if(pages_.begin(), pages_.end(),
+                                [](const TiffPage& page) { return !page.is_extra; });
+  const auto first = own == pages_.end() ? pages_.begin() : own;
+  go_to(static_cast<std::size_t>(first - pages_.begin()));
   const char* description = nullptr;
   if (TIFFGetField(file_.get(), TIFFTAG_IMAGEDESCRIPTION, &description) && description)
     tags_.description = description;
   std::uint16_t unit = RESUNIT_INCH;
   TIFFGetFieldDefaulted(file_.get(), TIFFTAG_RESOLUTIONUNIT, &unit);
   tags_.resolution_unit = unit;
-  TiffDirectory directory(path_, pages_[0].offset);
+  std::uint16_t orientation = ORIENTATION_TOPLEFT;
+  TIFFGetFieldDefaulted(file_.get(), TIFFTAG_ORIENTATION, &orientation);
+  tags_.orientation = orientation;
+  TiffDirectory directory(path_, first->offset);
   const auto take = [&](std::uint16_t tag, std::optional<double>& value, double& rounding) {
     const auto [numerator, denominator] = directory.rational(tag).value_or(std::make_pair(0u, 0u));
     if (numerator == 0 || denominator == 0) return;

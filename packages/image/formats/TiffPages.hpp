@@ -43,9 +43,11 @@ struct TiffPage {
   bool tiled = false;
   int compression = 1;
   int photometric = 1;
-  int bits = 8;         ///< of a value, as stored
-  ValueType type;       ///< of a value, as read
-  std::string trouble;  ///< why it cannot be read here; empty: it can
+  int bits = 8;                ///< of a value, as stored
+  ValueType type;              ///< of a value, as read
+  std::string trouble;         ///< why it cannot be read here; empty: it can
+  bool is_extra = false;       ///< a reduced image or a mask (NewSubfileType)
+  bool bits_reversed = false;  ///< in each byte, as stored (FillOrder)
 };
 
 /// The most that a page's compression can gain, by the rules of its format; infinity where there is
@@ -59,6 +61,7 @@ struct TiffTags {
   double rounding_x = 0.0,
          rounding_y = 0.0;             ///< how far the tags may lie from what their writer meant
   int resolution_unit = RESUNIT_INCH;  ///< RESUNIT_NONE, RESUNIT_INCH or RESUNIT_CENTIMETER
+  int orientation = ORIENTATION_TOPLEFT;
 };
 
 /// An open TIFF file.
@@ -67,7 +70,11 @@ class TiffPages {
   /// \throws base::InputError when libtiff cannot make sense of it
   explicit TiffPages(const std::string& path);
 
+  /// All of the file's directories in their order, until extras are left out.
   const std::vector<TiffPage>& pages() const { return pages_; }
+  /// Thumbnails, the lower levels of a pyramid and transparency are no planes of the volume: from now on
+  /// pages are without them. \return  those left out; none where all are extras
+  std::vector<TiffPage> leave_out_extras();
   const TiffTags& tags() const { return tags_; }
   std::uint64_t file_length() const { return length_; }
   bool is_swapped() const { return swapped_; }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/ImageJDescription.hpp"
@@ -20,20 +21,46 @@
 namespace stroma::image {
 namespace {
 
-/// The array's shape in the description that tifffile writes: {"shape": [6, 10, 14]}.
-std::vector<std::int64_t> tifffile_shape(const std::string& description) {
-  static const std::string start = "{\"shape\": [";
-  std::vector<std::int64_t> shape;
-  if (description.compare(0, start.size(), start) != 0) return shape;
-  const std::size_t end = description.find(']', start.size());
-  if (end == std::string::npos) return shape;
-  std::string numbers = description.substr(start.size(), end - start.size()) + ",";
-  for (std::size_t comma = numbers.find(','); comma != std::string::npos;
-       comma = numbers.find(',')) {
-    shape.push_back(whole_number(numbers.substr(0, comma)).value_or(0));
-    numbers.erase(0, comma + 1);
+/// What tifffile says of the array in a description of its own: {"shape": [6, 10, 14], "axes": "ZYX"}.
+struct ShapedDescription {
+  std::vector<std::int64_t> shape;  ///< slowest first; empty: not stated
+  std::string axes;                 ///< a letter each; empty: not stated
+
+  /// The count of an axis; 1 where there is none.
+  std::int64_t count(char axis) const {
+    const std::size_t place = axes.find(axis);
+    return place == std::string::npos ? 1 : shape[place];
   }
-  return shape;
+  /// Planes from one to the next along an axis, those of Y, X and S being one.
+  std::int64_t stride(char axis) const {
+    std::int64_t planes = 1;
+    for (std::size_t d = axes.size(); d-- > 0 && axes[d] != axis;)
+      if (std::string("YXS").find(axes[d]) == std::string::npos) planes *= shape[d];
+    return planes;
+  }
+};
+
+ShapedDescription tifffile_description(const std::string& description) {
+  ShapedDescription found;
+  if (description.empty() || description.front() != '{') return found;
+  using Json = nlohmann::json;
+  constexpr int deepest = 4;
+  const Json json = Json::parse(
+      description, [](int depth, Json::parse_event_t, const Json&) { return depth < deepest; },
+      false);
+  if (!json.is_object() || !json.contains("shape") || !json["shape"].is_array()) return found;
+  for (const Json& count : json["shape"])
+    found.shape.push_back(count.is_number_integer() && count > 0 && count <= largest_count
+                              ? count.get<std::int64_t>()
+                              : 0);
+  if (!json.contains("axes") || !json["axes"].is_string()) return found;
+  const auto axes = json["axes"].get<std::string>();
+  std::string sorted = axes;
+  std::sort(sorted.begin(), sorted.end());
+  const bool are_known = axes.find_first_not_of("TZCYXS") == std::string::npos &&
+                         std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  if (are_known && axes.size() == found.shape.size()) found.axes = axes;
+  return found;
 }
 
 class TiffSource : public ImageSource {
@@ -43,11 +70,13 @@ class TiffSource : public ImageSource {
     summary_.channel = request.channel;
     summary_.frame = request.frame;
     const std::string& description = pages_.tags().description;
+    const bool is_ome = !is_imagej(description) && (description.find("<OME") != std::string::npos ||
+                                                    description.find(":OME ") != std::string::npos);
+    if (!is_ome) leave_out_extras();  // OME counts all of the file's pages
     TiffDirectory directory(request.path, pages_.pages().front().offset);
     if (is_imagej(description)) {
       stack_imagej(description);
-    } else if (description.find("<OME") != std::string::npos ||
-               description.find(":OME ") != std::string::npos) {
+    } else if (is_ome) {
       stack_ome(description);
     } else if (const auto stk = read_stk(directory)) {
       stack_metamorph(*stk);
@@ -164,7 +193,28 @@ class TiffSource : public ImageSource {
                         page.photometric);
   }
 
+  void leave_out_extras() {
+    const std::vector<TiffPage> out = pages_.leave_out_extras();
+    const TiffPage& first = pages_.pages().front();
+    const auto as_large = std::count_if(out.begin(), out.end(), [&](const TiffPage& page) {
+      return page.width == first.width && page.height == first.height;
+    });
+    if (as_large > 0)
+      summary_.notes.push_back(
+          base::format("%lld pages as large as the first call themselves reduced images or masks "
+                       "(NewSubfileType); they are not read",
+                       static_cast<long long>(as_large)));
+    if (first.is_extra)
+      summary_.notes.push_back(
+          "all its pages call themselves reduced images or masks (NewSubfileType); they are read");
+  }
+
   void note_what_is_odd() {
+    if (pages_.tags().orientation != ORIENTATION_TOPLEFT)
+      summary_.notes.push_back(base::format(
+          "its Orientation tag, %d, turns or mirrors the picture; x, y and z are those of "
+          "the array, as stored",
+          pages_.tags().orientation));
     if (reference_.bits % 8 != 0)
       summary_.notes.push_back(base::format("its values are packed to %d bits", reference_.bits));
     if (reference_.photometric == PHOTOMETRIC_MINISWHITE) {
@@ -188,13 +238,16 @@ class TiffSource : public ImageSource {
 
   void stack_plain() {
     refer_to(0);
-    const std::vector<std::int64_t> shape = tifffile_shape(pages_.tags().description);
+    const ShapedDescription shaped = tifffile_description(pages_.tags().description);
+    const std::vector<std::int64_t>& shape = shaped.shape;
     double values = 1.0;
     for (const std::int64_t count : shape) values *= static_cast<double>(count);
     const double planes = values / static_cast<double>(reference_.width) /
                           static_cast<double>(reference_.height * reference_.samples);
     if (plane_count() == 1 && planes > 1.0 && planes == std::floor(planes) && planes < 1e9)
       use_one_piece(static_cast<std::int64_t>(planes), "its description speaks");
+    if (shaped.axes.find('Y') != std::string::npos && planes == static_cast<double>(plane_count()))
+      return stack_shaped(shaped);
     if (std::count_if(shape.begin(), shape.end(), [](auto n) { return n > 1; }) >
         3 + (reference_.samples > 1)) {
       std::string text;
@@ -206,6 +259,18 @@ class TiffSource : public ImageSource {
     note_bytes_behind();
     summary_.format = plane_count() == 1 ? "TIFF" : "TIFF, multi-page";
     stack_in_order(plane_count(), 1, 1);
+    take_resolution_lengths(summary_, pages_.tags());
+  }
+
+  /// As the axes say that tifffile knows.
+  void stack_shaped(const ShapedDescription& shaped) {
+    summary_.format = "TIFF, " + shaped.axes;
+    const std::int64_t planes = shaped.count('Z'), channels = shaped.count('C');
+    set_size(planes, channels, shaped.count('T'));
+    for (std::int64_t z = 0; z < planes; ++z)
+      for (std::int64_t c = 0; c < channels; ++c)
+        plane_of_.push_back(summary_.frame * shaped.stride('T') + z * shaped.stride('Z') +
+                            c * shaped.stride('C'));
     take_resolution_lengths(summary_, pages_.tags());
   }
 
@@ -267,6 +332,10 @@ class TiffSource : public ImageSource {
   /// \param says  who tells of them: "its ImageJ tags speak"
   void use_one_piece(std::int64_t planes, const std::string& says) {
     const auto start = pages_.start_of_values(0);
+    if (reference_.bits_reversed)
+      refuse(summary_.path,
+             "stores the bits of each byte in reverse (FillOrder 2), and several planes "
+             "behind one page; not supported together");
     if (!start || reference_.samples != 1 || reference_.bits % 8 != 0) {
       refuse(summary_.path, says + base::format(" of %lld images, but it holds 1 page (truncated?)",
                                                 static_cast<long long>(planes)));
@@ -284,6 +353,7 @@ class TiffSource : public ImageSource {
     const std::optional<OmePixels> ome = read_ome_xml(description, problem);
     if (!ome) {
       summary_.notes.push_back("its OME-XML is broken (" + problem + "): read as a plain stack");
+      leave_out_extras();
       return stack_plain();
     }
     if (!ome->contradiction.empty())
@@ -318,6 +388,7 @@ class TiffSource : public ImageSource {
                           index / static_cast<long long>(channels),
                           index % static_cast<long long>(channels)));
     }
+    summary_.notes.insert(summary_.notes.end(), ome->notes.begin(), ome->notes.end());
     take_ome_lengths(summary_, *ome);
   }
 

@@ -211,6 +211,7 @@ std::optional<ZarrImage> zarr_image(const std::string& path, const std::string& 
   if (!finest.is_string())
     head.refuse_entry("multiscales[0].datasets", datasets, "a list of levels, each with a path");
   ZarrImage found;
+  found.images = list.size();
   found.array = finest.get<std::string>();
   const bool leads_away = found.array.empty() || found.array.front() == '/' ||
                           found.array.find("..") != std::string::npos ||

@@ -47,6 +47,7 @@ struct ZarrImage {
   std::string version;         ///< of OME-Zarr
   std::string array;           ///< folder of the finest level within that of the image
   std::vector<ZarrAxis> axes;  ///< empty: not stated
+  std::size_t images = 1;      ///< that the text tells of
 };
 
 /// \param path  of the folder, for errors

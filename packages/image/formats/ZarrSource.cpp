@@ -14,6 +14,7 @@
 #include "stroma/image/formats/ImageSource.hpp"
 #include "stroma/image/formats/LengthUnit.hpp"
 #include "stroma/image/formats/VolumeHeader.hpp"
+#include "stroma/image/formats/WholeNumber.hpp"
 #include "stroma/image/formats/ZarrHeader.hpp"
 
 namespace stroma::image {
@@ -49,6 +50,9 @@ class ZarrSource : public ImageSource {
     summary_.path = request.path;
     std::string attributes = text_of(folder_, ".zattrs");
     if (!attributes.empty() && is_zarr_series(attributes)) {
+      std::error_code ignored;
+      if (fs::is_directory(fs::path(folder_) / "1", ignored))
+        summary_.notes.push_back("the folder holds several images (series); the first is read");
       folder_ += "/0";
       attributes = text_of(folder_, ".zattrs");
     }
@@ -59,6 +63,9 @@ class ZarrSource : public ImageSource {
       summary_.format = "OME-Zarr" + (image->version.empty() ? "" : " " + image->version);
       summary_.dataset = image->array;
       folder_ += "/" + image->array;
+      if (image->images > 1)
+        summary_.notes.push_back(
+            base::format("its multiscales are of %zu images; the first is read", image->images));
     }
     const std::string header = text_of(folder_, ".zarray");
     if (header.empty()) refuse_kind();
@@ -163,6 +170,31 @@ class ZarrSource : public ImageSource {
                      stated.unit.empty() ? "without a unit" : stated.unit.c_str()));
   }
 
+  /// Whether a path in the array's folder is the name of one of its chunks.
+  bool is_chunk(const std::string& name, char separator) const {
+    std::size_t at = 0;
+    for (std::size_t d = 0; d < array_.shape.size(); ++d) {
+      const bool is_last = d + 1 == array_.shape.size();
+      const std::size_t end = is_last ? name.size() : name.find(separator, at);
+      if (end == std::string::npos) return false;
+      const auto number = whole_number(name.substr(at, end - at));
+      if (!number || *number < 0 || *number * array_.chunk[d] >= array_.shape[d]) return false;
+      at = end + 1;
+    }
+    return true;
+  }
+
+  double chunks_named_by(char separator) const {
+    double count = 0.0;
+    std::error_code trouble;
+    for (fs::recursive_directory_iterator entry(folder_, trouble), end; !trouble && entry != end;
+         entry.increment(trouble))
+      if (is_file(entry->path()) &&
+          is_chunk(entry->path().lexically_relative(folder_).generic_string(), separator))
+        ++count;
+    return count;
+  }
+
   void check_storage() {
     double chunks = 1.0;
     for (std::size_t d = 0; d < array_.shape.size(); ++d)
@@ -173,11 +205,15 @@ class ZarrSource : public ImageSource {
       refuse(summary_.path,
              base::format("its array of %.0f bytes has chunks of %.0f bytes (broken)", bytes,
                           array_.chunk_bytes()));
-    double written = 0.0;
-    std::error_code trouble;
-    for (fs::recursive_directory_iterator entry(folder_, trouble), end; !trouble && entry != end;
-         entry.increment(trouble))
-      if (is_file(entry->path()) && entry->path().filename().string()[0] != '.') ++written;
+    double written = chunks_named_by(array_.separator);
+    const char other = array_.separator == '.' ? '/' : '.';
+    if (written == 0.0 && array_.shape.size() > 1 && chunks_named_by(other) > 0.0) {
+      summary_.notes.push_back(base::format(
+          "the numbers in its chunks' names are parted by '%c', not by '%c' as its header has it",
+          other, array_.separator));
+      array_.separator = other;
+      written = chunks_named_by(other);
+    }
     if (written < least_written * chunks || written == 0.0)
       refuse(summary_.path, base::format("says that it has %.0f chunks, of which %.0f were ever "
                                          "written (broken, or not copied as a whole)",
