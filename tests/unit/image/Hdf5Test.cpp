@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ReadBack.hpp"
 #include "WriteFiles.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/image/ReadVolume.hpp"
@@ -194,6 +195,20 @@ TEST(Hdf5, AxesAreReadAsTheyAreStated) {
       base::Communicator::world().barrier();
     }
   }
+}
+
+/// As MATLAB 7.3 writes it.
+TEST(Hdf5, AUsersBlockInFrontIsPassedOver) {
+  const std::string path = folder() + "/behind.h5";
+  Hdf5Dataset dataset;
+  dataset.name = "data";
+  on_root([&] {
+    write_hdf5(path, {dataset});
+    write_bytes(path, "MATLAB 7.3 MAT-file" + std::string(493, ' ') + read_bytes(path));
+  });
+  image::ImageParameters parameters;
+  parameters.file = "behind.h5";
+  expect_pattern(read_back(parameters, summary), {5, 4, 3}, pattern_for(dataset.type));
 }
 
 TEST(Hdf5, FilesOfIlastik) {

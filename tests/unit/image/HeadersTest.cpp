@@ -513,6 +513,16 @@ TEST(Nifti, OrientationIsNotedAndTheArrayRead) {
   EXPECT_TRUE(noted("directions of the axes are none"));
 }
 
+// Of four dimensions the first three are those of space.
+TEST(MetaImage, OrientationOfATimeSeriesIsNoted) {
+  const std::string values = stored(u16) + stored(u16, 1);
+  read(write("mirrored.mha",
+             "NDims = 4\nDimSize = 5 4 3 2\nElementType = MET_USHORT\nTransformMatrix = "
+             "-1 0 0 0  0 -1 0 0  0 0 1 0  0 0 0 1\nElementDataFile = LOCAL\n" +
+                 values));
+  EXPECT_TRUE(noted("turns or mirrors the axes"));
+}
+
 TEST(TimeSeries, AFrameOfEachFormat) {
   const std::string values = stored(u16) + stored(u16, 1);  // the pattern's channels are frames
   const std::vector<std::string> files = {

@@ -203,9 +203,89 @@ TEST(TiffDialects, PlanesOfAStripBehindOneDirectory) {
   const std::string values = encode({5, 4, 3}, u8, false, pattern_for(u8));
   // By ImageDepth; by the shape that tifffile describes.
   for (const Entry& depth :
-       {entry(32997, 3), entry(270, "{\"shape\": [3, 4, 5], \"truncated\": true}")})
+       {entry(32997, 3), entry(270, "{\"shape\": [3, 4, 5], \"truncated\": true}"),
+        entry(270, "{\"truncate\": true, \"shape\": [3, 4, 5], \"axes\": \"ZYX\"}")})
     expect_pattern(read_bytes_as("depth.tif", tiff_of(5, 4, 8, values, {depth})), {5, 4, 3},
                    pattern_for(u8));
+}
+
+TEST(TiffDialects, BitsInReverseBehindOneDirectoryAreRefused) {
+  const std::string values = encode({5, 4, 3}, u8, false, pattern_for(u8));
+  const Entry shape = entry(270, "{\"shape\": [3, 4, 5]}");
+  expect_refused("reversed.tif", tiff_of(5, 4, 8, values, {entry(266, 2), shape}), "FillOrder 2");
+}
+
+TEST(TiffDialects, AnotherOrientationIsSaid) {
+  const std::string values = encode({5, 4, 1}, u8, false, pattern_for(u8));
+  expect_pattern(
+      read_bytes_as("turned.tif", tiff_of(5, 4, 8, values, {{274, TIFF_SHORT, 1, number(4, 4)}})),
+      {5, 4, 1}, pattern_for(u8));
+  EXPECT_TRUE(has_note(summary, "its Orientation tag, 4, turns or mirrors the picture"));
+}
+
+TEST(TiffDialects, AxesThatTifffileStates) {
+  const struct {
+    std::string axes, shape;
+    Size size;
+    std::int64_t z_step, c_step, t_step;
+    int frame, channel;
+  } cases[] = {{"TZYX", "3, 4, 4, 5", {5, 4, 4}, 1, 0, 4, 2, 0},
+               {"CYX", "12, 4, 5", {5, 4, 1}, 0, 1, 0, 0, 7},
+               {"CZYX", "2, 6, 4, 5", {5, 4, 6}, 1, 6, 0, 0, 1},
+               {"TZCYX", "2, 3, 2, 4, 5", {5, 4, 3}, 2, 1, 6, 1, 1}};
+  for (const auto& one : cases) {
+    TiffOptions options;
+    options.size = {5, 4, 12};
+    options.description = "{\"axes\": \"" + one.axes + "\", \"shape\": [" + one.shape + "]}";
+    on_root([&] { write_tiff_file(folder() + "/shaped.tif", options, pattern_for(u8)); });
+    image::ImageParameters parameters = file("shaped.tif");
+    parameters.frame = one.frame;
+    parameters.channel = one.channel;
+    expect_pattern(read_back(parameters, summary), one.size,
+                   frame_of(pattern_for(u8), one.z_step, one.c_step, one.frame * one.t_step),
+                   one.channel);
+  }
+}
+
+std::string ome_of(const std::string& sizes, const std::string& planes) {
+  return "<?xml version=\"1.0\"?><OME><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"5\" SizeY=\"4\" " +
+         sizes + " SizeC=\"1\" SizeT=\"1\">" + planes + "</Pixels></Image></OME>";
+}
+
+// OME counts all directories of the file, tifffile's and others' stacks the full ones.
+TEST(TiffDialects, PagesThatCallThemselvesReduced) {
+  TiffOptions options;
+  options.subfile_types = {0, 1, 0};
+  on_root([&] { write_tiff_file(folder() + "/reduced.tif", options, pattern_for(u8)); });
+  expect_pattern(read_back(file("reduced.tif"), summary), {5, 4, 2},
+                 frame_of(pattern_for(u8), 2, 0, 0));
+  EXPECT_TRUE(has_note(summary, "1 pages as large as the first call themselves reduced images"));
+  options.description =
+      ome_of("SizeZ=\"2\"", "<TiffData IFD=\"0\" FirstZ=\"0\"/><TiffData IFD=\"2\" FirstZ=\"1\"/>");
+  on_root([&] { write_tiff_file(folder() + "/reduced.ome.tif", options, pattern_for(u8)); });
+  expect_pattern(read_back(file("reduced.ome.tif"), summary), {5, 4, 2},
+                 frame_of(pattern_for(u8), 2, 0, 0));
+  options.description.clear();
+  options.subfile_types = {1, 1, 1};
+  on_root([&] { write_tiff_file(folder() + "/all.tif", options, pattern_for(u8)); });
+  expect_pattern(read_back(file("all.tif"), summary), {5, 4, 3}, pattern_for(u8));
+  EXPECT_TRUE(has_note(summary, "all its pages call themselves reduced images or masks"));
+}
+
+TEST(TiffDialects, LengthsThatAreNoNumbersAreNotUsed) {
+  TiffOptions options;
+  options.description = ome_of("SizeZ=\"3\" PhysicalSizeX=\"1,5\" PhysicalSizeZ=\"0.5 mm\"", "");
+  on_root([&] { write_tiff_file(folder() + "/comma.ome.tif", options, pattern_for(u8)); });
+  read_back(file("comma.ome.tif"), summary);
+  EXPECT_FALSE(summary.voxel_size.known(0) || summary.voxel_size.known(2));
+  EXPECT_TRUE(has_note(summary, "PhysicalSizeX, \"1,5\", is no number; not used"));
+  options.description =
+      "ImageJ=1.53t\nimages=3\nslices=3\nunit=um\nspacing=1,5\ncf=0\nc0=1,5\nc1=2\n";
+  on_root([&] { write_tiff_file(folder() + "/comma.tif", options, pattern_for(u8)); });
+  expect_pattern(read_back(file("comma.tif"), summary), {5, 4, 3}, pattern_for(u8));
+  EXPECT_FALSE(summary.voxel_size.known(2));
+  EXPECT_TRUE(has_note(summary, "ImageJ's spacing, \"1,5\", is no number; not used"));
+  EXPECT_TRUE(has_note(summary, "says nothing; not used"));
 }
 
 TEST(TiffDialects, MetaMorphStack) {
@@ -225,6 +305,11 @@ TEST(TiffDialects, MetaMorphStack) {
   expect_pattern(read_bytes_as("stack.stk", bytes), {5, 4, 3}, pattern_for(u8));
   EXPECT_EQ(summary.format, "TIFF, MetaMorph stack");
   EXPECT_EQ(summary.voxel_size.um, (std::array<double, 3>{0.25, 0.5, 1.5}));
+
+  for (std::size_t plane = 1; plane < 3; ++plane)  // a stage that moves down: -3 / 2
+    planes.replace(24 * plane, 4, number(4294967293, 4));
+  read_bytes_as("down.stk", tiff_of(5, 4, 8, values, {{33629, TIFF_RATIONAL, 3, planes}}));
+  EXPECT_EQ(summary.voxel_size.um[2], 1.5);
 
   expect_refused("many.stk", tiff_of(5, 4, 8, values, {{33629, TIFF_RATIONAL, 1000000, planes}}),
                  "cannot hold them");

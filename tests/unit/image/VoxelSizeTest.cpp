@@ -42,6 +42,7 @@ TiffOptions imagej(const std::string& calibration, double pixels_per_unit) {
 
 TEST(VoxelSize, UnitsOfLength) {
   EXPECT_EQ(image::micrometres_per("micron"), 1.0);
+  EXPECT_FALSE(image::micrometres_per("Pm") || image::micrometres_per("Mm"));
   EXPECT_EQ(image::micrometres_per("\\u00B5m"), 1.0);
   EXPECT_EQ(image::micrometres_per("\xC2\xB5m"), 1.0);
   EXPECT_EQ(image::micrometres_per("\xB5m"), 1.0);

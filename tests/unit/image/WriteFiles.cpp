@@ -137,6 +137,8 @@ void write_tiff_file(const std::string& path, const TiffOptions& o, const Patter
     TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, o.resolution_unit);
     if (o.resolution_x) TIFFSetField(file, TIFFTAG_XRESOLUTION, *o.resolution_x);
     if (o.resolution_y) TIFFSetField(file, TIFFTAG_YRESOLUTION, *o.resolution_y);
+    if (!o.subfile_types.empty())
+      TIFFSetField(file, TIFFTAG_SUBFILETYPE, o.subfile_types.at(static_cast<std::size_t>(page)));
     if (page == 0 && !o.description.empty())
       TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION, o.description.c_str());
     const auto value = [&](std::int64_t x, std::int64_t y, int sample) {

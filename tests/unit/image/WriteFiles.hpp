@@ -54,7 +54,8 @@ struct TiffOptions {
   int compression = 1;
   std::string description;
   std::optional<double> resolution_x, resolution_y;
-  int resolution_unit = 1;  ///< 1: none, 2: inch, 3: cm
+  int resolution_unit = 1;         ///< 1: none, 2: inch, 3: cm
+  std::vector<int> subfile_types;  ///< NewSubfileType of each page; empty: none is stated
 };
 void write_tiff_file(const std::string& path, const TiffOptions& options, const Pattern& pattern);
 

@@ -282,6 +282,32 @@ TEST(Zarr, FilesThatAreBrokenAreRefused) {
   expect_refused(image, "is Zarr of format 3; admissible: format 2");
 }
 
+TEST(Zarr, OtherFilesAreNoChunks) {
+  image::ImageParameters parameters;
+  parameters.file = write({});
+  on_root([&] {
+    for (const char* name : {"0/0/0/0/0.part", "0/0/0/0/9", "README"})
+      write_bytes(*parameters.file + "/s0/" + name, "no chunk");
+  });
+  image::ImageSummary summary;
+  read_back(parameters, summary);
+  EXPECT_TRUE(has_note(summary, "4 of the 48 chunks were never written"));
+}
+
+TEST(Zarr, ChunksPartedOtherwiseThanStatedAreFound) {
+  image::ImageParameters parameters;
+  parameters.file = write({});
+  Json header = array_of({});
+  header.erase("dimension_separator");
+  on_root([&] { write_bytes(*parameters.file + "/s0/.zarray", header.dump()); });
+  image::ImageSummary summary;
+  const auto volume = read_back(parameters, summary);
+  expect_pattern(volume, {6, 5, 7}, [&](auto x, auto y, auto z, auto) {
+    return z == 6 ? 7.0 : value_at(x, y, z, 0, 0);
+  });
+  EXPECT_TRUE(has_note(summary, "parted by '/', not by '.' as its header has it"));
+}
+
 TEST(Zarr, ChunksThatAreNoFilesAreRefused) {
   const std::string image = write({});
   on_root([&] {
