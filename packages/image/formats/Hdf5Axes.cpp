@@ -46,7 +46,13 @@ std::optional<StatedAxes> stated_axes(hid_t dataset, std::vector<std::string>& n
   const std::vector<std::string> tags = text_attribute(dataset, "axistags");
   if (!tags.empty()) return StatedAxes{keys_of_axistags(tags.front()), "axistags"};
   const std::vector<std::string> labels = text_attribute(dataset, "DIMENSION_LABELS");
-  if (labels.empty()) return std::nullopt;
+  if (labels.empty()) {
+    if (H5Aexists(dataset, "DIMENSION_LIST") > 0)
+      notes.emplace_back(
+          "its dimension scales, which may name the axes, are not read; the axes are taken in the usual "
+          "order, x last; an attribute DIMENSION_LABELS says otherwise");
+    return std::nullopt;
+  }
   StatedAxes stated{"", "DIMENSION_LABELS"};
   for (const std::string& label : labels) stated.keys += key_of_label(label);
   if (stated.keys.find('?') == std::string::npos) return stated;

@@ -103,13 +103,19 @@ class Hdf5Source : public ImageSource {
     hdf::Handle type(H5Dget_type(dataset_.get()), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type.get());
     by_bytes_ = kind == H5T_ENUM || kind == H5T_BITFIELD;  // HDF5 makes no doubles of these
-    if (by_bytes_) native_ = hdf::Handle(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), H5Tclose);
-    if (kind == H5T_ENUM) type = hdf::Handle(H5Tget_super(type.get()), H5Tclose);
+    if (kind == H5T_BITFIELD)
+      memory_type_ = hdf::Handle(H5Tget_native_type(type.get(), H5T_DIR_ASCEND), H5Tclose);
+    if (kind == H5T_ENUM) {  // a conversion would make -1 of values without a name
+      memory_type_ = hdf::Handle(H5Tcopy(type.get()), H5Tclose);
+      type = hdf::Handle(H5Tget_super(type.get()), H5Tclose);
+      is_swapped_ = H5Tget_order(type.get()) != H5Tget_order(H5T_NATIVE_INT);
+    }
     const auto bytes = static_cast<int>(H5Tget_size(type.get()));
     const bool real = kind == H5T_FLOAT && (bytes == 2 || bytes == 4 || bytes == 8);
     const bool integer =
         (kind == H5T_INTEGER || by_bytes_) && bytes <= 8 &&
-        (!by_bytes_ || (native_.good() && static_cast<int>(H5Tget_size(native_.get())) == bytes));
+        (!by_bytes_ ||
+         (memory_type_.good() && static_cast<int>(H5Tget_size(memory_type_.get())) == bytes));
     if (!integer && !real) {
       refuse_dataset("holds " + class_name(kind) +
                      "; admissible: integers up to 64 bits, floats of 16, 32 or 64 bits, enums "
@@ -132,6 +138,10 @@ class Hdf5Source : public ImageSource {
     const int rank = H5Sget_simple_extent_ndims(space.get());
     extents_.assign(static_cast<std::size_t>(std::max(rank, 0)), 0);
     H5Sget_simple_extent_dims(space.get(), extents_.data(), nullptr);
+    for (const char* const name : {"scale_factor", "add_offset"})
+      if (!number_attribute(dataset_.get(), name, 1).empty())
+        summary_.notes.push_back(std::string("its attribute ") + name +
+                                 " is not applied: the values are those stored");
     axes_ = find_axes(dataset_.get(), extents_, summary_.path, summary_.dataset, summary_.notes);
     const auto extent = [&](int axis) {
       return axis < 0 ? std::int64_t{1}
@@ -283,8 +293,8 @@ class Hdf5Source : public ImageSource {
     if (by_bytes_) {
       std::vector<unsigned char> bytes(stored.size() *
                                        static_cast<std::size_t>(summary_.type.bytes));
-      read_as_stored(box, native_.get(), bytes.data());
-      decode(bytes.data(), summary_.type, false, voxels, 1, stored.data());
+      read_as_stored(box, memory_type_.get(), bytes.data());
+      decode(bytes.data(), summary_.type, is_swapped_, voxels, 1, stored.data());
     } else {
       read_as_stored(box, H5T_NATIVE_DOUBLE, stored.data());
     }
@@ -306,11 +316,12 @@ class Hdf5Source : public ImageSource {
     }
   }
 
-  hdf::Handle file_, dataset_, native_;
+  hdf::Handle file_, dataset_, memory_type_;
   std::vector<hsize_t> extents_;
   Hdf5Axes axes_;
   std::int64_t own_channel_ = 0, own_frame_ = 0;  ///< along the dataset's own axes
-  bool by_bytes_ = false;                         ///< read in its native type, and decoded here
+  bool by_bytes_ = false;                         ///< read in memory_type_, and decoded here
+  bool is_swapped_ = false;                       ///< bytes of that are not in this machine's order
   bool meant_unsigned_ = false;
 };
 

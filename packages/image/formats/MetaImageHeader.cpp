@@ -88,7 +88,7 @@ void take_files(VolumeHeader& header, const HeaderFields& fields, const std::str
   std::size_t dimensions_per_file = sizes.size() - 1;
   const bool is_list = parts[0] == "LIST";
   if (is_list && parts.size() > 1) {
-    const auto given = to_integer(parts[1]);
+    const auto given = to_integer(parts[1].substr(0, parts[1].find_last_not_of("dD") + 1));  // "2D"
     if (parts.size() > 2 || !given || *given < 1 ||
         *given > static_cast<std::int64_t>(sizes.size()))
       fields.refuse_field("ElementDataFile", "LIST and the number of dimensions of each file");

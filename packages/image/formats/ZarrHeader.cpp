@@ -225,6 +225,32 @@ std::optional<ZarrImage> zarr_image(const std::string& path, const std::string& 
   return found;
 }
 
+std::vector<ZarrAxis> array_axes(const std::string& path, const std::string& text,
+                                 std::vector<std::string>& notes) {
+  const Head head(path, ".zattrs", text);
+  for (const char* const name : {"scale_factor", "add_offset"})
+    if (head.at(name).is_number())
+      notes.push_back(std::string("its attribute ") + name +
+                      " is not applied: the values are those stored");
+  const Json& names = head.at("_ARRAY_DIMENSIONS");
+  std::vector<ZarrAxis> axes;
+  if (!names.is_array() || names.size() > most_dimensions) return axes;
+  for (const Json& name : names) {
+    const std::string label = name.is_string() ? lower_case(name.get<std::string>()) : "";
+    ZarrAxis axis;
+    axis.key = label == "channel"  ? 'c'
+               : label == "time"   ? 't'
+               : label.size() == 1 ? label[0]
+                                   : '?';
+    if (std::string("xyzct").find(axis.key) == std::string::npos) {
+      notes.push_back("_ARRAY_DIMENSIONS are none of x, y, z, c, t everywhere; not used");
+      return {};
+    }
+    axes.push_back(axis);
+  }
+  return axes;
+}
+
 bool is_zarr_series(const std::string& text) {
   const Json json = parsed(text);
   return json.is_object() && json.contains("bioformats2raw.layout");

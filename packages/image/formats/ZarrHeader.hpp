@@ -56,6 +56,11 @@ struct ZarrImage {
 /// \throws base::InputError: not whole, or contradictory
 std::optional<ZarrImage> zarr_image(const std::string& path, const std::string& text);
 
+/// The axes of an array by its .zattrs as xarray writes them (_ARRAY_DIMENSIONS); empty: not stated.
+/// \param notes  gets what else the text says of the values that is not used
+std::vector<ZarrAxis> array_axes(const std::string& path, const std::string& text,
+                                 std::vector<std::string>& notes);
+
 /// Whether the text of a .zattrs says that the images lie in numbered folders, as bioformats2raw
 /// writes them.
 bool is_zarr_series(const std::string& text);

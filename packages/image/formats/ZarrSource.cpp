@@ -71,7 +71,9 @@ class ZarrSource : public ImageSource {
     if (header.empty()) refuse_kind();
     array_ = zarr_array(summary_.path, header);
     summary_.type = array_.type;
-    take_axes(image ? image->axes : std::vector<ZarrAxis>{}, request);
+    std::vector<ZarrAxis> axes = image ? image->axes : std::vector<ZarrAxis>{};
+    if (!image && !attributes.empty()) axes = array_axes(summary_.path, attributes, summary_.notes);
+    take_axes(std::move(axes), request);
     check_storage();
   }
 

@@ -429,6 +429,47 @@ TEST(Hdf5, MasksOfEveryType) {
   EXPECT_NE(refusal(parameters).find("holds compound values"), std::string::npos);
 }
 
+TEST(Hdf5, AnEnumKeepsValuesWithoutAName) {
+  const std::string path = folder() + "/enum.h5";
+  on_root([&] {
+    const File file(path);
+    const hid_t one = H5Tenum_create(H5T_STD_I16BE);
+    const unsigned char name_of_1[2] = {0, 1};
+    H5Tenum_insert(one, "gel", name_of_1);
+    std::vector<unsigned char> stored;
+    for (int v = 0; v < 60; ++v) stored.insert(stored.end(), {1, static_cast<unsigned char>(v)});
+    const hid_t set = file.dataset("labels", {3, 4, 5}, one, {});
+    H5Dwrite(set, one, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data());
+    H5Dclose(set);
+    H5Tclose(one);
+  });
+  const voxels::IntensityVolume volume = read(parameters_of(path));
+  for (std::int64_t k = 0; k < volume.planes; ++k)
+    for (std::int64_t v = 0; v < 20; ++v)
+      EXPECT_EQ(volume.plane(k)[v], 256.0 + static_cast<double>(20 * (k + volume.first_plane) + v));
+}
+
+TEST(Hdf5, DimensionScalesAreNotReadAndThatIsSaid) {
+  const std::string path = folder() + "/scales.h5";
+  on_root([&] {
+    const File file(path);
+    const hid_t set = file.dataset("data", {3, 4, 5}, H5T_STD_U8LE, std::vector<double>(60, 1.0));
+    const hid_t space = H5Screate(H5S_SCALAR);
+    for (const char* name : {"DIMENSION_LIST", "scale_factor"}) {
+      const hid_t attribute =
+          H5Acreate2(set, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT);
+      const double two = 2.0;
+      H5Awrite(attribute, H5T_NATIVE_DOUBLE, &two);
+      H5Aclose(attribute);
+    }
+    H5Sclose(space);
+    H5Dclose(set);
+  });
+  read(parameters_of(path));
+  EXPECT_TRUE(has_note(summary, "its dimension scales, which may name the axes, are not read"));
+  EXPECT_TRUE(has_note(summary, "its attribute scale_factor is not applied"));
+}
+
 TEST(Hdf5, ASparseDatasetIsReadAndWhatWasNeverWrittenIsSaid) {
   const std::string path = folder() + "/sparse.h5";
   const std::vector<unsigned char> bright(16 * 16 * 16, 255);

@@ -156,6 +156,8 @@ TEST(MetaImage, AFileForEachSlice) {
   expect_read(write("list.mhd", meta("MET_USHORT", "", "LIST") + "s4.raw\ns6.raw\ns8.raw\n"), u16);
   expect_read(write("pattern.mhd", meta("MET_USHORT", "", "s%d.raw 4 8 2")), u16);
   write("all.raw", values);
+  expect_read(write("planes.mhd", meta("MET_USHORT", "", "LIST 2D") + "s4.raw\ns6.raw\ns8.raw\n"),
+              u16);
   expect_read(write("whole.mhd", meta("MET_USHORT", "", "LIST 3") + "all.raw\n"), u16);
   for (std::size_t z = 0; z < 3; ++z)
     write("p0" + std::to_string(1 + z) + ".z", deflated(values.substr(40 * z, 40), 15));

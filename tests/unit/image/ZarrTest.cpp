@@ -282,6 +282,26 @@ TEST(Zarr, FilesThatAreBrokenAreRefused) {
   expect_refused(image, "is Zarr of format 3; admissible: format 2");
 }
 
+// As xarray writes them.
+TEST(Zarr, AxesOfAnArrayByItself) {
+  image::ImageParameters parameters;
+  parameters.file = write({}) + "/s0";
+  const auto size_with = [&](const std::string& attributes, const char* note) {
+    on_root([&] { write_bytes(*parameters.file + "/.zattrs", attributes); });
+    image::ImageSummary summary;
+    const Size size = read_back(parameters, summary).size;
+    EXPECT_TRUE(has_note(summary, note)) << attributes;
+    return size;
+  };
+  EXPECT_EQ(
+      size_with(R"({"_ARRAY_DIMENSIONS": ["time", "x", "y", "channel", "z"], "add_offset": 3})",
+                "its attribute add_offset is not applied"),
+      (Size{3, 7, 6}));
+  EXPECT_EQ(size_with(R"({"_ARRAY_DIMENSIONS": ["time", "lon", "lat", "channel", "z"]})",
+                      "its axes are not stated; read as tczyx"),
+            (Size{6, 5, 7}));
+}
+
 TEST(Zarr, OtherFilesAreNoChunks) {
   image::ImageParameters parameters;
   parameters.file = write({});
