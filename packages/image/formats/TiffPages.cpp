@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "stroma/base/Log.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
@@ -115,12 +116,10 @@ void TiffPages::read_directories() {
 }
 
 std::vector<TiffPage> TiffPages::leave_out_extras() {
-  std::vector<TiffPage> out;
-  const auto kept = std::stable_partition(pages_.begin(), pages_.end(),
-                                          [](const TiffPage& page) { return !page.is_extra; });
-  if (kept == pages_.begin()) return out;
-  out.assign(kept, pages_.end());
-  pages_.erase(kept, pages_.end());
+  std::vector<TiffPage> kept, out;
+  for (const TiffPage& page : pages_) (page.is_extra ? out : kept).push_back(page);
+  if (kept.empty()) return {};
+  pages_ = std::move(kept);
   return out;
 }
 

@@ -57,6 +57,8 @@ struct ZarrImage {
 std::optional<ZarrImage> zarr_image(const std::string& path, const std::string& text);
 
 /// The axes of an array by its .zattrs as xarray writes them (_ARRAY_DIMENSIONS); empty: not stated.
+/// \param path   of the folder, for errors
+/// \param text   of its .zattrs
 /// \param notes  gets what else the text says of the values that is not used
 std::vector<ZarrAxis> array_axes(const std::string& path, const std::string& text,
                                  std::vector<std::string>& notes);
