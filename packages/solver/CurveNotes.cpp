@@ -40,6 +40,11 @@ std::vector<Point> met_by_steps(const LoadCurve& curve, const LoadingParameters&
   return met;
 }
 
+/// Where a load that is repeated first comes after the begin of the run.
+double first_in_run(double load, double period) {
+  return load > 0.0 ? load : load + period * (std::floor(-load / period) + 1.0);
+}
+
 /// The points of a curve after the begin of the run and before its end, one that is repeated where it
 /// comes first; without the last one of a curve that repeats, whose place its first point takes.
 std::vector<Point> points_within(const LoadCurve& curve) {
@@ -48,7 +53,7 @@ std::vector<Point> points_within(const LoadCurve& curve) {
   std::vector<Point> within;
   for (std::size_t k = 0; k < curve.loads.size() - (repeats ? 1 : 0); ++k) {
     double load = curve.loads[k];
-    if (repeats && load <= 0.0) load += period * (std::floor(-load / period) + 1.0);
+    if (repeats) load = first_in_run(load, period);
     if (load > 0.0 && load <= 1.0) within.push_back({load, curve.values[k]});
   }
   return within;
@@ -148,8 +153,7 @@ std::string jump_note(const std::string& where, const LoadCurve& curve,
   const auto [low, high] = std::minmax_element(curve.values.begin(), curve.values.end());
   const double first = curve.values.front(), last = curve.values.back();
   const double period = curve.loads.back() - curve.loads.front();
-  double jump = curve.loads.back();
-  if (jump <= 0.0) jump += period * (std::floor(-jump / period) + 1.0);
+  const double jump = first_in_run(curve.loads.back(), period);
   if (jump > 1.0 + rounding || std::abs(last - first) <= noticeable * (*high - *low)) return "";
   return where + format(
                      " jumps from %g to %g at %g s, where it begins again: a step that ends "

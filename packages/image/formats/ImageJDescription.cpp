@@ -102,8 +102,9 @@ void read_lengths(const Settings& settings, ImageJDescription& read) {
   read.z_unit = unit("zunit", read.unit);
   const std::string* const spacing = text_of(settings, "spacing");
   if (spacing == nullptr) return;
-  read.spacing = to_real(trimmed(*spacing)).value_or(0.0);  // 0: none, and that is told
-  if (!to_real(trimmed(*spacing)))
+  const std::optional<double> number = to_real(trimmed(*spacing));
+  read.spacing = number.value_or(0.0);  // 0: none, and that is told
+  if (!number)
     read.notes.push_back("ImageJ's spacing, \"" + printable(*spacing) +
                          "\", is no number; not used");
 }

@@ -209,12 +209,14 @@ class ZarrSource : public ImageSource {
                           array_.chunk_bytes()));
     double written = chunks_named_by(array_.separator);
     const char other = array_.separator == '.' ? '/' : '.';
-    if (written == 0.0 && array_.shape.size() > 1 && chunks_named_by(other) > 0.0) {
+    const double written_otherwise =
+        written == 0.0 && array_.shape.size() > 1 ? chunks_named_by(other) : 0.0;
+    if (written_otherwise > 0.0) {
       summary_.notes.push_back(base::format(
           "the numbers in its chunks' names are parted by '%c', not by '%c' as its header has it",
           other, array_.separator));
       array_.separator = other;
-      written = chunks_named_by(other);
+      written = written_otherwise;
     }
     if (written < least_written * chunks || written == 0.0)
       refuse(summary_.path, base::format("says that it has %.0f chunks, of which %.0f were ever "
