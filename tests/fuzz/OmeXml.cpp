@@ -17,7 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!ome && problem.empty()) std::abort();
   if (!ome || !ome->contradiction.empty() || ome->size_z * ome->size_c > pages) return 0;
   const auto planes = image::planes_of_file(*ome, "stack.ome.tif", note);
-  for (const std::int64_t page : image::pages_of_frame(*ome, planes, ome->size_c, 1, pages, 0)) {
+  for (const std::int64_t page :
+       image::pages_of_frame(*ome, planes, ome->size_c, 1, pages, ome->size_c - 1, 0)) {
     if (page < -1 || page >= pages) std::abort();
   }
   return 0;

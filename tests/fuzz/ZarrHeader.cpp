@@ -24,8 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   try {
     const auto image = image::zarr_image("image.zarr", text);
-    if (image && (image->array.empty() || image->array.find("..") != std::string::npos))
-      __builtin_trap();
+    for (std::size_t level = 0; image && level < image->levels.size(); ++level)
+      if (image->levels[level].array.find("..") != std::string::npos) __builtin_trap();
   } catch (const base::InputError&) {
   }
   image::is_zarr_series(text);

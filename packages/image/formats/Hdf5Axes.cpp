@@ -153,6 +153,10 @@ Hdf5Axes find_axes(hid_t dataset, const std::vector<hsize_t>& extents, const std
       std::string("tczyx").substr(5 - std::min<std::size_t>(5, extents.size()));
   assign(keys, extents, axes);
   doubt(keys, extents, notes);
+  if (H5Aexists(dataset, "MATLAB_class") > 0)
+    notes.emplace_back(
+        "written by MATLAB, whose first index is the file's last: its rows are counted along x, its "
+        "columns along y");
   return axes;
 }
 

@@ -81,7 +81,11 @@ std::string known_filter(H5Z_filter_t filter) {
 }  // namespace
 
 hdf::Handle open_object(hid_t file, const std::string& path) {
-  return {H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose};
+  const hdf::Handle access(H5Pcreate(H5P_LINK_ACCESS), H5Pclose);
+  const auto refuse_file = [](const char*, const char*, const char*, const char*, unsigned*, hid_t,
+                              void*) -> herr_t { return -1; };
+  H5Pset_elink_cb(access.get(), refuse_file, nullptr);
+  return {H5Oopen(file, path.c_str(), access.get()), H5Oclose};
 }
 
 std::optional<std::vector<std::string>> datasets_of(hid_t file) {

@@ -13,8 +13,8 @@
 
 namespace stroma::image {
 
-/// Opens a group or a dataset by its path within the file; a handle that is not good() if it
-/// cannot.
+/// Opens a group or a dataset by its path within the file, which may lead over hard and soft links
+/// but not into another file; a handle that is not good() if it cannot.
 hdf::Handle open_object(hid_t file, const std::string& path);
 
 /// Paths of all datasets of a file, in alphabetical order, without a slash in front. Nothing when

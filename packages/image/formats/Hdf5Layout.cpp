@@ -152,7 +152,8 @@ void read_view_attributes(const Numbers& numbers, const ImageRequest& request, H
 }
 
 /// The only dataset, or the one that is asked for.
-std::string named_dataset(const std::vector<std::string>& names, const ImageRequest& request) {
+std::string named_dataset(hid_t file, const std::vector<std::string>& names,
+                          const ImageRequest& request) {
   const std::string& wanted = request.dataset;
   if (names.empty()) refuse(request.path, "holds no dataset");
   constexpr std::size_t most = 40;
@@ -166,7 +167,9 @@ std::string named_dataset(const std::vector<std::string>& names, const ImageRequ
     return names.front();
   }
   const std::string name = wanted.front() == '/' ? wanted.substr(1) : wanted;
-  if (std::find(names.begin(), names.end(), name) == names.end())
+  // Of several links to a dataset, only one is among the names.
+  const hdf::Handle object = open_object(file, name);
+  if (!object.good() || H5Iget_type(object.get()) != H5I_DATASET)
     refuse(request.path,
            "holds no dataset \"" + wanted + "\" (Image|Dataset); admissible: " + list);
   return name;
@@ -189,7 +192,7 @@ Hdf5Place find_place(hid_t file, const ImageRequest& request) {
     place.meant_unsigned = true;
     read_view_attributes(*numbers, request, place);
   } else {
-    place.dataset = named_dataset(*names, request);
+    place.dataset = named_dataset(file, *names, request);
     return place;
   }
   place.has_own_axes = false;

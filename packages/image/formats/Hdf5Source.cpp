@@ -138,10 +138,9 @@ class Hdf5Source : public ImageSource {
     const int rank = H5Sget_simple_extent_ndims(space.get());
     extents_.assign(static_cast<std::size_t>(std::max(rank, 0)), 0);
     H5Sget_simple_extent_dims(space.get(), extents_.data(), nullptr);
-    for (const char* const name : {"scale_factor", "add_offset"})
+    for (const char* const name : linear_map_attributes)
       if (!number_attribute(dataset_.get(), name, 1).empty())
-        summary_.notes.push_back(std::string("its attribute ") + name +
-                                 " is not applied: the values are those stored");
+        summary_.notes.push_back(not_applied(name));
     axes_ = find_axes(dataset_.get(), extents_, summary_.path, summary_.dataset, summary_.notes);
     const auto extent = [&](int axis) {
       return axis < 0 ? std::int64_t{1}

@@ -134,6 +134,10 @@ void check_size(const std::string& path, const std::array<std::int64_t, 3>& size
   }
 }
 
+std::string not_applied(const std::string& attribute) {
+  return "its attribute " + attribute + " is not applied: the values are those stored";
+}
+
 void check_channel(const std::string& path, std::int64_t channel, std::int64_t channels) {
   if (channel >= 0 && channel < channels) return;
   refuse(path, base::format("has no channel %lld (Image|Channel); admissible: 0 to %lld",

@@ -5,6 +5,7 @@
 /// \file
 /// One open image file, whatever its format: what read_volume() sees of a reader.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -74,6 +75,12 @@ std::unique_ptr<ImageSource> open_image(const base::Communicator& communicator,
 void check_size(const std::string& path, const std::array<std::int64_t, 3>& size,
                 std::int64_t values_per_voxel, int bytes_per_value, std::uint64_t file_length,
                 double expansion);
+
+/// Attributes of netCDF's custom, which say that values are factor x stored + offset.
+inline constexpr std::array<const char*, 2> linear_map_attributes{"scale_factor", "add_offset"};
+
+/// The note on one of them.
+std::string not_applied(const std::string& attribute);
 
 /// More than any compression met in image files gains (deflate: 1032, LZW: 2731).
 inline constexpr double largest_expansion = 4096.0;

@@ -349,6 +349,9 @@ void take_spacing(VolumeHeader& header, const HeaderFields& fields,
       spacing.push_back(all[axis]);
       unit.push_back(add_unit(axis < names.size() ? names[axis] : ""));
     }
+  } else if (fields.has("axis mins") || fields.has("axis maxs")) {
+    header.notes.emplace_back(
+        "its axis mins and axis maxs, without spacings or space directions, are not used");
   }
   if (!units_known) return note_no_unit(header, spacing);
   for (std::size_t d = 0; d < spacing.size(); ++d)

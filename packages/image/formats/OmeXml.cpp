@@ -19,6 +19,7 @@ namespace {
 struct State {
   std::optional<OmePixels> pixels;
   std::string uuid;       ///< of the document
+  std::string metadata;   ///< the file that describes the image instead
   int images = 0;         ///< Pixels met
   bool finished = false;  ///< the first Pixels is over
   bool in_tiff_data = false, in_uuid = false;
@@ -88,6 +89,10 @@ void start(void* user, const char* name, const char** attributes) {
   if (tag == "OME") {
     if (const char* uuid = find(attributes, "UUID")) state.uuid = uuid;
   }
+  if (tag == "BinaryOnly") {
+    const char* const file = find(attributes, "MetadataFile");
+    state.metadata = file ? printable(file) : "another file";
+  }
   if (tag == "Pixels") ++state.images;
   if (state.finished) return;
   if (tag == "Pixels" && !state.pixels) {
@@ -132,11 +137,12 @@ std::optional<OmePixels> parse(const std::string& xml, const char* encoding, std
   wrong_bytes = !parsed && XML_GetErrorCode(parser.get()) == XML_ERROR_INVALID_TOKEN;
   if (!parsed) {
     const char* const reason = XML_ErrorString(XML_GetErrorCode(parser.get()));
-    problem = reason ? reason : "too long";
+    problem = std::string("is broken (") + (reason ? reason : "too long") + ")";
     return std::nullopt;
   }
   if (!state.pixels) {
-    problem = "no Pixels element";
+    problem = state.metadata.empty() ? "has no Pixels element"
+                                     : "leaves the description to " + state.metadata;
     return std::nullopt;
   }
   state.pixels->uuid = state.uuid;
@@ -197,16 +203,17 @@ std::vector<OmePlanes> planes_of_file(const OmePixels& pixels, const std::string
 std::vector<std::int64_t> pages_of_frame(const OmePixels& pixels,
                                          const std::vector<OmePlanes>& planes,
                                          std::int64_t channels, std::int64_t samples,
-                                         std::int64_t pages, std::int64_t frame) {
-  std::vector<std::int64_t> page_of(static_cast<std::size_t>(pixels.size_z * channels), -1);
+                                         std::int64_t pages, std::int64_t channel,
+                                         std::int64_t frame) {
+  std::vector<std::int64_t> page_of(static_cast<std::size_t>(pixels.size_z), -1);
   const std::array<std::int64_t, 3> sizes{pixels.size_z, channels, pixels.size_t};
   for (const OmePlanes& entry : planes) {
     std::array<std::int64_t, 3> at{entry.first_z, entry.first_c / samples, entry.first_t};
     for (std::int64_t i = 0; i != entry.count; ++i) {
       const bool inside = at[0] < sizes[0] && at[1] < sizes[1] && at[2] < sizes[2];
       if (!inside || entry.page + i >= pages) break;
-      if (at[2] == frame)
-        page_of[static_cast<std::size_t>(at[0] * channels + at[1])] = entry.page + i;
+      if (at[1] == channel && at[2] == frame)
+        page_of[static_cast<std::size_t>(at[0])] = entry.page + i;
       advance(pixels.dimension_order, sizes, at);
     }
   }

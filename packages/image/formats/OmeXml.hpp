@@ -36,7 +36,7 @@ struct OmePixels {
 };
 
 /// Reads the first Image's Pixels. Nothing when there is none or the document is not well-formed;
-/// `problem` then says why. Bytes that are no UTF-8 are taken as Latin-1.
+/// `problem` then says why: "is broken (...)". Bytes that are no UTF-8 are taken as Latin-1.
 std::optional<OmePixels> read_ome_xml(const std::string& xml, std::string& problem);
 
 /// The entries of the planes that lie in the file itself.
@@ -46,16 +46,18 @@ std::optional<OmePixels> read_ome_xml(const std::string& xml, std::string& probl
 std::vector<OmePlanes> planes_of_file(const OmePixels& pixels, const std::string& name,
                                       std::string& note);
 
-/// The page that holds each plane of a frame, [z * channels + c]; -1 where no page does.
+/// The page that holds each plane of a channel in a frame, [z]; -1 where no page does.
 /// \param pixels    the sizes that the XML states
 /// \param planes    of the file
 /// \param channels  SizeC over the samples of a pixel
 /// \param samples   of a pixel
 /// \param pages     of the file
+/// \param channel   counted from 0, of the stacked ones
 /// \param frame     counted from 0
 std::vector<std::int64_t> pages_of_frame(const OmePixels& pixels,
                                          const std::vector<OmePlanes>& planes,
                                          std::int64_t channels, std::int64_t samples,
-                                         std::int64_t pages, std::int64_t frame);
+                                         std::int64_t pages, std::int64_t channel,
+                                         std::int64_t frame);
 
 }  // namespace stroma::image

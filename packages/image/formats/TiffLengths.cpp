@@ -33,10 +33,10 @@ void take_resolution(ImageSummary& summary, int axis, const std::optional<double
   const double per_inch = *resolution * 25400.0 / *scale;
   const bool printer = (place != "ImageJ tags" || unit == "inch") && per_inch < 1300.0;
   if (printer) {
-    if (axis == 0)
-      summary.notes.push_back(
-          format("%g pixels per %s is a printer's or a screen's resolution; not used", *resolution,
-                 unit.c_str()));
+    const std::string note =
+        format("%g pixels per %s is a printer's or a screen's resolution; not used", *resolution,
+               unit.c_str());
+    if (summary.notes.empty() || summary.notes.back() != note) summary.notes.push_back(note);
     return;
   }
   summary.voxel_size.set(axis, length_of_pixel(*resolution, rounding) * *scale, place);
@@ -67,8 +67,12 @@ void take_imagej_lengths(ImageSummary& summary, const TiffTags& tags,
   }
   take_resolution(summary, 0, tags.pixels_per_unit_x, tags.rounding_x, scale, imagej.unit,
                   "ImageJ tags");
-  take_resolution(summary, 1, tags.pixels_per_unit_y, tags.rounding_y,
-                  micrometres_per(imagej.y_unit), imagej.unit, "ImageJ tags");
+  const auto y_scale = micrometres_per(imagej.y_unit);
+  take_resolution(summary, 1, tags.pixels_per_unit_y, tags.rounding_y, y_scale, imagej.y_unit,
+                  "ImageJ tags");
+  if (!y_scale)
+    summary.notes.push_back("ImageJ's unit along y, \"" + imagej.y_unit +
+                            "\", is no unit of length known here; not used");
   // ImageJ leaves the spacing out where it is 1.
   const auto z_scale = micrometres_per(imagej.z_unit);
   const double spacing = imagej.spacing.value_or(1.0);

@@ -85,7 +85,6 @@ class TiffSource : public ImageSource {
     } else {
       stack_plain();
     }
-    check_channel(request.path, request.channel, summary_.channels);
     check_pages_read();
     note_what_is_odd();
   }
@@ -126,10 +125,9 @@ class TiffSource : public ImageSource {
     return static_cast<std::size_t>(plane / reference_.depth);
   }
   /// The plane of the file that is plane z of the channel and frame read.
-  std::int64_t plane_of(std::int64_t z) const {
-    const std::int64_t c = summary_.channel / reference_.samples;
-    return plane_of_[static_cast<std::size_t>(z * (summary_.channels / reference_.samples) + c)];
-  }
+  std::int64_t plane_of(std::int64_t z) const { return plane_of_[static_cast<std::size_t>(z)]; }
+  /// The channel read, of those that are planes of their own.
+  std::int64_t stacked_channel() const { return summary_.channel / reference_.samples; }
 
   /// The page that all others must be like.
   void refer_to(std::size_t page) {
@@ -147,24 +145,24 @@ class TiffSource : public ImageSource {
     }
   }
 
-  /// Sizes, once it is known that the file has these planes.
+  /// Sizes, once it is known that the file has these planes, of one channel at least.
   void set_size(std::int64_t planes, std::int64_t stacked_channels, std::int64_t frames) {
     summary_.file_size = {reference_.width, reference_.height, planes};
     summary_.channels = stacked_channels * reference_.samples;
     summary_.frames = frames;
+    check_channel(summary_.path, summary_.channel, summary_.channels);
     check_frame(summary_.path, summary_.frame, frames);
     if (in_one_piece_) return;
     const double packing = 8.0 * reference_.type.bytes / reference_.bits;
-    check_size(summary_.path, {reference_.width, reference_.height, planes * stacked_channels},
-               reference_.samples, reference_.type.bytes, pages_.file_length(),
-               packing * largest_expansion_of(reference_));
+    check_size(summary_.path, summary_.file_size, reference_.samples, reference_.type.bytes,
+               pages_.file_length(), packing * largest_expansion_of(reference_));
   }
 
   /// Planes that follow one another: channel fastest, then z, then frame.
   void stack_in_order(std::int64_t planes, std::int64_t channels, std::int64_t frames) {
     set_size(planes, channels, frames);
-    const std::int64_t count = planes * channels;
-    for (std::int64_t i = 0; i < count; ++i) plane_of_.push_back(summary_.frame * count + i);
+    for (std::int64_t z = 0; z < planes; ++z)
+      plane_of_.push_back((summary_.frame * planes + z) * channels + stacked_channel());
   }
 
   void check_pages_read() {
@@ -265,12 +263,11 @@ class TiffSource : public ImageSource {
   /// As the axes say that tifffile knows.
   void stack_shaped(const ShapedDescription& shaped) {
     summary_.format = "TIFF, " + shaped.axes;
-    const std::int64_t planes = shaped.count('Z'), channels = shaped.count('C');
-    set_size(planes, channels, shaped.count('T'));
+    const std::int64_t planes = shaped.count('Z');
+    set_size(planes, shaped.count('C'), shaped.count('T'));
     for (std::int64_t z = 0; z < planes; ++z)
-      for (std::int64_t c = 0; c < channels; ++c)
-        plane_of_.push_back(summary_.frame * shaped.stride('T') + z * shaped.stride('Z') +
-                            c * shaped.stride('C'));
+      plane_of_.push_back(summary_.frame * shaped.stride('T') + z * shaped.stride('Z') +
+                          stacked_channel() * shaped.stride('C'));
     take_resolution_lengths(summary_, pages_.tags());
   }
 
@@ -352,7 +349,7 @@ class TiffSource : public ImageSource {
     std::string problem;
     const std::optional<OmePixels> ome = read_ome_xml(description, problem);
     if (!ome) {
-      summary_.notes.push_back("its OME-XML is broken (" + problem + "): read as a plain stack");
+      summary_.notes.push_back("its OME-XML " + problem + ": read as a plain stack");
       leave_out_extras();
       return stack_plain();
     }
@@ -375,24 +372,26 @@ class TiffSource : public ImageSource {
                            planes.front().page < static_cast<std::int64_t>(pages_.pages().size());
     refer_to(elsewhere ? static_cast<std::size_t>(planes.front().page) : 0);
     const std::int64_t channels = std::max<std::int64_t>(ome->size_c / reference_.samples, 1);
-    check_ome_sizes(*ome, channels);
+    check_ome_sizes(*ome);
     set_size(ome->size_z, channels, ome->size_t);
-    plane_of_ =
-        pages_of_frame(*ome, planes, channels, reference_.samples, plane_count(), summary_.frame);
+    plane_of_ = pages_of_frame(*ome, planes, channels, reference_.samples, plane_count(),
+                               stacked_channel(), summary_.frame);
     const auto missing = std::find(plane_of_.begin(), plane_of_.end(), -1);
     if (missing != plane_of_.end()) {
-      const auto index = static_cast<long long>(missing - plane_of_.begin());
-      refuse(summary_.path,
-             base::format("its OME-XML names no page of this file for plane %lld of channel %lld "
-                          "(part of a set of files?)",
-                          index / static_cast<long long>(channels),
-                          index % static_cast<long long>(channels)));
+      refuse(
+          summary_.path,
+          base::format("its OME-XML names no page of this file for plane %lld of channel %lld in "
+                       "frame %lld (truncated, or part of a set of files: all planes of the "
+                       "channel and frame read must lie in the one that is given)",
+                       static_cast<long long>(missing - plane_of_.begin()),
+                       static_cast<long long>(stacked_channel()),
+                       static_cast<long long>(summary_.frame)));
     }
     summary_.notes.insert(summary_.notes.end(), ome->notes.begin(), ome->notes.end());
     take_ome_lengths(summary_, *ome);
   }
 
-  void check_ome_sizes(const OmePixels& ome, std::int64_t channels) {
+  void check_ome_sizes(const OmePixels& ome) {
     if (ome.size_x != reference_.width || ome.size_y != reference_.height) {
       refuse(summary_.path,
              base::format("its OME-XML says %lld x %lld pixels, its pages have %lld x %lld",
@@ -400,12 +399,12 @@ class TiffSource : public ImageSource {
                           static_cast<long long>(reference_.width),
                           static_cast<long long>(reference_.height)));
     }
-    if (ome.size_z * channels > plane_count()) {
-      refuse(summary_.path,
-             base::format("its OME-XML says %lld planes in %lld channels, but it holds %lld pages "
-                          "(truncated, or part of a set of files)",
-                          static_cast<long long>(ome.size_z), static_cast<long long>(channels),
-                          static_cast<long long>(plane_count())));
+    if (ome.size_z > plane_count()) {
+      refuse(
+          summary_.path,
+          base::format("its OME-XML says %lld planes, but it holds %lld pages (truncated, or "
+                       "part of a set of files)",
+                       static_cast<long long>(ome.size_z), static_cast<long long>(plane_count())));
     }
   }
 
@@ -436,7 +435,7 @@ class TiffSource : public ImageSource {
 
   TiffPages pages_;
   TiffPage reference_;                    ///< what all pages read are like
-  std::vector<std::int64_t> plane_of_;    ///< [z * stacked channels + c], planes of the file
+  std::vector<std::int64_t> plane_of_;    ///< [z], planes of the file
   int images_ = 1;                        ///< that the description tells of
   double intercept_ = 0.0, slope_ = 1.0;  ///< of ImageJ's calibration of values
   bool in_one_piece_ =

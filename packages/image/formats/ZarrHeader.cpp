@@ -143,6 +143,19 @@ void scale_axes(const Head& head, const Json& transformations, std::vector<ZarrA
   }
 }
 
+/// The folder of a level, within that of the image.
+std::string array_folder(const Head& head, const Json& datasets, const Json& dataset) {
+  const Json& path = dataset.is_object() ? head.at(dataset, "path") : dataset;
+  if (!dataset.is_object() || !path.is_string())
+    head.refuse_entry("multiscales[0].datasets", datasets, "a list of levels, each with a path");
+  const auto folder = path.get<std::string>();
+  const bool leads_away = folder.empty() || folder.front() == '/' ||
+                          folder.find("..") != std::string::npos ||
+                          folder.find('\0') != std::string::npos;
+  if (leads_away) head.refuse_entry("path", path, "a folder within that of the image");
+  return folder;
+}
+
 std::vector<ZarrAxis> read_axes(const Head& head, const Json& image) {
   const Json& list = head.at(image, "axes");
   if (list.is_null()) return {};
@@ -206,32 +219,27 @@ std::optional<ZarrImage> zarr_image(const std::string& path, const std::string& 
     head.refuse_entry("multiscales", list, "a list of images");
   const Json& image = list.front();
   const Json& datasets = head.at(image, "datasets");
-  const bool has_levels = datasets.is_array() && !datasets.empty() && datasets.front().is_object();
-  const Json& finest = has_levels ? head.at(datasets.front(), "path") : datasets;
-  if (!finest.is_string())
+  if (!datasets.is_array() || datasets.empty())
     head.refuse_entry("multiscales[0].datasets", datasets, "a list of levels, each with a path");
   ZarrImage found;
   found.images = list.size();
-  found.array = finest.get<std::string>();
-  const bool leads_away = found.array.empty() || found.array.front() == '/' ||
-                          found.array.find("..") != std::string::npos ||
-                          found.array.find('\0') != std::string::npos;
-  if (leads_away) head.refuse_entry("path", finest, "a folder within that of the image");
   const Json& version = head.at(image, "version");
   if (version.is_string()) found.version = printable(version.get<std::string>());
-  found.axes = read_axes(head, image);
-  scale_axes(head, head.at(datasets.front(), "coordinateTransformations"), found.axes);
-  scale_axes(head, head.at(image, "coordinateTransformations"), found.axes);
+  const std::vector<ZarrAxis> axes = read_axes(head, image);
+  for (const Json& dataset : datasets) {
+    ZarrLevel level{array_folder(head, datasets, dataset), axes};
+    scale_axes(head, head.at(dataset, "coordinateTransformations"), level.axes);
+    scale_axes(head, head.at(image, "coordinateTransformations"), level.axes);
+    found.levels.push_back(std::move(level));
+  }
   return found;
 }
 
 std::vector<ZarrAxis> array_axes(const std::string& path, const std::string& text,
                                  std::vector<std::string>& notes) {
   const Head head(path, ".zattrs", text);
-  for (const char* const name : {"scale_factor", "add_offset"})
-    if (head.at(name).is_number())
-      notes.push_back(std::string("its attribute ") + name +
-                      " is not applied: the values are those stored");
+  for (const char* const name : linear_map_attributes)
+    if (head.at(name).is_number()) notes.push_back(not_applied(name));
   const Json& names = head.at("_ARRAY_DIMENSIONS");
   std::vector<ZarrAxis> axes;
   if (!names.is_array() || names.size() > most_dimensions) return axes;

@@ -42,12 +42,17 @@ struct ZarrAxis {
   double scale = 0.0;  ///< from one value to the next, in that unit; 0: not stated
 };
 
-/// An image at several scales: of these the finest.
-struct ZarrImage {
-  std::string version;         ///< of OME-Zarr
-  std::string array;           ///< folder of the finest level within that of the image
+/// One of the scales of an image.
+struct ZarrLevel {
+  std::string array;           ///< folder within that of the image
   std::vector<ZarrAxis> axes;  ///< empty: not stated
-  std::size_t images = 1;      ///< that the text tells of
+};
+
+/// An image at several scales.
+struct ZarrImage {
+  std::string version;            ///< of OME-Zarr
+  std::vector<ZarrLevel> levels;  ///< at least one; by the standard, the finest is the first
+  std::size_t images = 1;         ///< that the text tells of
 };
 
 /// \param path  of the folder, for errors

@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "stroma/base/Error.hpp"
 #include "stroma/base/FileContent.hpp"
 #include "stroma/base/Log.hpp"
+#include "stroma/image/formats/HeaderText.hpp"
 #include "stroma/image/formats/ImageSource.hpp"
 #include "stroma/image/formats/LengthUnit.hpp"
 #include "stroma/image/formats/VolumeHeader.hpp"
@@ -61,8 +63,7 @@ class ZarrSource : public ImageSource {
     summary_.format = "Zarr";
     if (image) {
       summary_.format = "OME-Zarr" + (image->version.empty() ? "" : " " + image->version);
-      summary_.dataset = image->array;
-      folder_ += "/" + image->array;
+      choose_level(*image);
       if (image->images > 1)
         summary_.notes.push_back(
             base::format("its multiscales are of %zu images; the first is read", image->images));
@@ -71,9 +72,9 @@ class ZarrSource : public ImageSource {
     if (header.empty()) refuse_kind();
     array_ = zarr_array(summary_.path, header);
     summary_.type = array_.type;
-    std::vector<ZarrAxis> axes = image ? image->axes : std::vector<ZarrAxis>{};
-    if (!image && !attributes.empty()) axes = array_axes(summary_.path, attributes, summary_.notes);
-    take_axes(std::move(axes), request);
+    if (!image && !attributes.empty())
+      axes_ = array_axes(summary_.path, attributes, summary_.notes);
+    take_axes(request);
     check_storage();
   }
 
@@ -113,25 +114,56 @@ class ZarrSource : public ImageSource {
                               "; admissible: the folder of an OME-Zarr image, or of a Zarr array");
   }
 
+  /// The finest level is the first, or that of which the array has the most values: a wrong order
+  /// would otherwise be a coarse image without a word.
+  void choose_level(const ZarrImage& image) {
+    std::size_t finest = 0;
+    double most = values_of(image.levels.front());
+    for (std::size_t level = 1; level < image.levels.size(); ++level) {
+      const double values = values_of(image.levels[level]);
+      if (most == 0.0 || values <= most) continue;
+      finest = level;
+      most = values;
+    }
+    const ZarrLevel& chosen = image.levels[finest];
+    if (finest > 0)
+      summary_.notes.push_back("its levels are not ordered from the finest on: \"" +
+                               printable(chosen.array) + "\" has more values than the first, \"" +
+                               printable(image.levels.front().array) + "\", and is read");
+    summary_.dataset = chosen.array;
+    folder_ += "/" + chosen.array;
+    axes_ = chosen.axes;
+  }
+
+  /// 0 where the level's array is not there, or has no header that can be read.
+  double values_of(const ZarrLevel& level) const {
+    try {
+      const std::string header = text_of(folder_ + "/" + level.array, ".zarray");
+      return header.empty() ? 0.0 : zarr_array(summary_.path, header).values();
+    } catch (const base::InputError&) {
+      return 0.0;  // told if it is the level that is read
+    }
+  }
+
   [[noreturn]] void refuse_axes(const std::string& keys, const char* what) const {
     refuse(summary_.path, "its axes \"" + keys + "\" " + what +
                               "; admissible: x and y, and z, c and t where it has them, each once, "
                               "one for each dimension of the array");
   }
 
-  void take_axes(std::vector<ZarrAxis> axes, const ImageRequest& request) {
+  void take_axes(const ImageRequest& request) {
     const std::size_t dimensions = array_.shape.size();
-    if (axes.empty()) {
+    if (axes_.empty()) {
       if (dimensions < 2 || dimensions > 5)
         refuse(summary_.path,
                base::format("its array has %zu dimensions; admissible: 2 to 5", dimensions));
       const std::string usual = std::string("tczyx").substr(5 - dimensions);
-      for (const char key : usual) axes.push_back({key, "", 0.0});
+      for (const char key : usual) axes_.push_back({key, "", 0.0});
       summary_.notes.push_back("its axes are not stated; read as " + usual);
     }
     std::string keys;
-    for (const ZarrAxis& axis : axes) keys += axis.key;
-    if (axes.size() != dimensions) refuse_axes(keys, "do not fit its array");
+    for (const ZarrAxis& axis : axes_) keys += axis.key;
+    if (axes_.size() != dimensions) refuse_axes(keys, "do not fit its array");
     int* const dimension_of[] = {&space_[0], &space_[1], &space_[2], &channel_, &time_};
     for (std::size_t d = 0; d < dimensions; ++d) {
       const std::size_t place = std::string("xyzct").find(keys[d]);
@@ -150,7 +182,7 @@ class ZarrSource : public ImageSource {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       summary_.file_size[axis] = extent(space_[axis]);
       if (space_[axis] >= 0)
-        take_length(static_cast<int>(axis), axes[static_cast<std::size_t>(space_[axis])]);
+        take_length(static_cast<int>(axis), axes_[static_cast<std::size_t>(space_[axis])]);
     }
     summary_.channels = extent(channel_);
     summary_.frames = extent(time_);
@@ -302,6 +334,7 @@ class ZarrSource : public ImageSource {
 
   std::string folder_;  ///< of the array
   ZarrArray array_;
+  std::vector<ZarrAxis> axes_;            ///< of its dimensions
   std::array<int, 3> space_{-1, -1, -1};  ///< dimensions of x, y, z; -1: there is none
   int channel_ = -1, time_ = -1;
 };

@@ -97,7 +97,7 @@ TEST(BrokenFiles, TiffOfWrongKind) {
   ome.description =
       "<OME><Image><Pixels SizeX=\"5\" SizeY=\"4\" SizeZ=\"9\" SizeC=\"1\" "
       "SizeT=\"1\"/></Image></OME>";
-  expect_refused("ome.tif", tiff_bytes(ome), "says 9 planes in 1 channels, but it holds 3 pages");
+  expect_refused("ome.tif", tiff_bytes(ome), "says 9 planes, but it holds 3 pages");
 }
 
 TEST(BrokenFiles, ChannelRegionAndDatasetThatAreNotThere) {

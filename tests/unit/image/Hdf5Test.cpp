@@ -383,6 +383,48 @@ TEST(Hdf5, ALinkIntoAnotherFileIsNotFollowed) {
   EXPECT_THROW(read(parameters), base::InputError);
 }
 
+TEST(Hdf5, LinksWithinAFileAreFollowed) {
+  const std::string path = folder() + "/links.h5";
+  on_root([&] {
+    const File file(path);
+    for (const double value : {1.0, 2.0}) {
+      const std::string name = value == 1.0 ? "one" : "two";
+      H5Dclose(file.dataset(name.c_str(), {2, 3, 4}, H5T_STD_U8LE, std::vector<double>(24, value)));
+    }
+    H5Lcreate_soft("/two", file.get(), "soft", H5P_DEFAULT, H5P_DEFAULT);
+    H5Lcreate_hard(file.get(), "two", file.get(), "unlike", H5P_DEFAULT, H5P_DEFAULT);
+    H5Lcreate_soft("/nothing", file.get(), "dangling", H5P_DEFAULT, H5P_DEFAULT);
+  });
+  image::ImageParameters parameters = parameters_of(path);
+  for (const char* name : {"two", "soft", "/unlike"}) {
+    parameters.dataset = name;
+    expect_pattern(read(parameters), {4, 3, 2}, [](auto, auto, auto, auto) { return 2.0; });
+  }
+  for (const char* name : {"dangling", "/", "three"}) {
+    parameters.dataset = name;
+    EXPECT_THROW(read(parameters), base::InputError) << name;
+  }
+}
+
+// MATLAB's A(row, column, plane) comes as [plane][column][row].
+TEST(Hdf5, MatlabsOrderIsSaid) {
+  const std::string path = folder() + "/matlab.mat";
+  on_root([&] {
+    const File file(path);
+    const hid_t set = file.dataset("A", {3, 4, 5}, H5T_STD_U8LE, std::vector<double>(60, 1.0));
+    const hid_t text = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+    H5Tset_size(text, 6);
+    const hid_t attribute = H5Acreate2(set, "MATLAB_class", text, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, text, "double");
+    H5Aclose(attribute);
+    H5Sclose(space);
+    H5Tclose(text);
+    H5Dclose(set);
+  });
+  read(parameters_of(path));
+  EXPECT_TRUE(has_note(summary, "its rows are counted along x, its columns along y"));
+}
+
 TEST(Hdf5, MasksOfEveryType) {
   const auto ones = [](const voxels::IntensityVolume& volume) {
     double sum = 0.0;

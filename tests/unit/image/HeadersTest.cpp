@@ -272,6 +272,13 @@ TEST(Nrrd, EveryEncodingAndSkip) {
               u16);
 }
 
+TEST(Nrrd, ExtentsAloneAreNoVoxelSize) {
+  const std::string extents = "axis mins: 0 0 0\naxis maxs: 5 4 3\nencoding: raw\n\n";
+  expect_read(write("extents.nrrd", nrrd("uint8", extents) + stored(u8)), u8);
+  EXPECT_FALSE(summary.voxel_size.known(0));
+  EXPECT_TRUE(has_note(summary, "axis mins and axis maxs, without spacings"));
+}
+
 TEST(Nrrd, FilesBesideTheHeader) {
   const std::string values = stored(u16);
   for (std::size_t z = 0; z < 3; ++z)

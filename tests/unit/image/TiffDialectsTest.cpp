@@ -286,6 +286,11 @@ TEST(TiffDialects, LengthsThatAreNoNumbersAreNotUsed) {
   EXPECT_FALSE(summary.voxel_size.known(2));
   EXPECT_TRUE(has_note(summary, "ImageJ's spacing, \"1,5\", is no number; not used"));
   EXPECT_TRUE(has_note(summary, "says nothing; not used"));
+  options.description = "ImageJ=1.53t\nimages=3\nslices=3\nunit=um\nyunit=furlong\n";
+  on_root([&] { write_tiff_file(folder() + "/furlong.tif", options, pattern_for(u8)); });
+  read_back(file("furlong.tif"), summary);
+  EXPECT_FALSE(summary.voxel_size.known(1));
+  EXPECT_TRUE(has_note(summary, "unit along y, \"furlong\", is no unit of length known here"));
 }
 
 TEST(TiffDialects, MetaMorphStack) {
@@ -509,7 +514,26 @@ TEST(TiffDialects, ARenamedOmeTiff) {
   EXPECT_TRUE(has_note(summary, "renamed"));
   options.description = ome("c.tif");
   on_root([&] { write_tiff_file(folder() + "/b.tif", options, pattern_for(u8)); });
-  expect_refused(file("b.tif"), "part of a set of files?");
+  expect_refused(file("b.tif"), "part of a set of files");
+}
+
+// A channel a file, as Bio-Formats and MicroManager split sets: each has its channel, and no other.
+TEST(TiffDialects, AChannelOfAnOmeSet) {
+  TiffOptions options;
+  options.description =
+      "<OME UUID=\"urn:1\"><Image><Pixels DimensionOrder=\"XYZCT\" SizeX=\"5\" SizeY=\"4\" SizeZ=\"3\" SizeC=\"2\" "
+      "PhysicalSizeX=\"0.25\"><TiffData IFD=\"0\" PlaneCount=\"3\"><UUID FileName=\"c0.tif\">urn:0"
+      "</UUID></TiffData><TiffData FirstC=\"1\" IFD=\"0\" PlaneCount=\"3\"><UUID "
+      "FileName=\"c1.tif\">urn:1</UUID></TiffData></Pixels></Image></OME>";
+  on_root([&] { write_tiff_file(folder() + "/c1.tif", options, pattern_for(u8)); });
+  image::ImageParameters parameters = file("c1.tif");
+  expect_refused(parameters, "for plane 0 of channel 0 in frame 0 (truncated, or part of a set");
+  parameters.channel = 1;
+  expect_pattern(read_back(parameters, summary), {5, 4, 3}, pattern_for(u8));
+  EXPECT_EQ(summary.voxel_size.um[0], 0.25);
+  EXPECT_EQ(summary.channels, 2);
+  parameters.channel = 2;
+  expect_refused(parameters, "admissible");
 }
 
 TEST(TiffDialects, BrokenOmeXmlIsAPlainStack) {
@@ -527,6 +551,11 @@ TEST(TiffDialects, BrokenOmeXmlIsAPlainStack) {
     expect_pattern(read_back(file("broken.ome.tif"), summary), {5, 4, 3}, pattern_for(u8));
     EXPECT_TRUE(has_note(summary, "read as a plain stack")) << xml;
   }
+  options.description =
+      "<OME><BinaryOnly MetadataFile=\"set.companion.ome\" UUID=\"urn:0\"/></OME>";
+  on_root([&] { write_tiff_file(folder() + "/binary.ome.tif", options, pattern_for(u8)); });
+  expect_pattern(read_back(file("binary.ome.tif"), summary), {5, 4, 3}, pattern_for(u8));
+  EXPECT_TRUE(has_note(summary, "its OME-XML leaves the description to set.companion.ome"));
 }
 
 TEST(TiffDialects, LengthsThatAreMeant) {

@@ -328,6 +328,29 @@ TEST(Zarr, ChunksPartedOtherwiseThanStatedAreFound) {
   EXPECT_TRUE(has_note(summary, "parted by '/', not by '.' as its header has it"));
 }
 
+// The standard puts the finest first; where it is not, the image is not a coarser one in silence.
+TEST(Zarr, LevelsInAnotherOrder) {
+  image::ImageParameters parameters;
+  parameters.file = write({});
+  Json attributes = attributes_of({});
+  Json& levels = attributes["multiscales"][0]["datasets"];
+  std::swap(levels[0], levels[1]);
+  levels[0]["coordinateTransformations"] =
+      Json::parse(R"([{"type": "scale", "scale": [1, 1, 4, 1000, 500]}])");
+  Json coarse = array_of({});
+  coarse["shape"] = {2, 3, 4, 3, 3};
+  on_root([&] {
+    write_bytes(*parameters.file + "/.zattrs", attributes.dump());
+    fs::create_directories(*parameters.file + "/s1");
+    write_bytes(*parameters.file + "/s1/.zarray", coarse.dump());
+  });
+  image::ImageSummary summary;
+  EXPECT_EQ(read_back(parameters, summary).size, (Size{6, 5, 7}));
+  EXPECT_EQ(summary.dataset, "s0");
+  EXPECT_NEAR(summary.voxel_size.um[0], 0.5, 1e-15);
+  EXPECT_TRUE(has_note(summary, "\"s0\" has more values than the first, \"s1\", and is read"));
+}
+
 TEST(Zarr, ChunksThatAreNoFilesAreRefused) {
   const std::string image = write({});
   on_root([&] {
