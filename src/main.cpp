@@ -79,7 +79,10 @@ std::optional<double> seconds_of(const std::string& text) {
 }
 
 void add_image(CLI::App& command, stroma::ImageOptions& options) {
-  command.add_option("FILE", options.file, "TIFF, PIC, NRRD, MetaImage, NIfTI or HDF5")->required();
+  command
+      .add_option("FILE", options.file,
+                  "TIFF, PIC, NRRD, MetaImage, NIfTI or HDF5, or a folder of Zarr")
+      ->required();
   command.add_option("--dataset", options.dataset, "dataset of an HDF5 file");
   command.add_option("--channel", options.channel, "channel, from 0");
   command.add_option("--frame", options.frame, "frame of a time series, from 0");

@@ -77,7 +77,7 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
                     deck.parameters.grid.plane_strain, fractions.count(-1) > 0))
     log.line(line);
   const image::Objects objects(communicator, labels, image::Connectivity::corners);
-  log.line(format("objects     %lld (26-connected), the largest of %lld voxels",
+  log.line(format("objects     %lld of labels above 0 (26-connected), the largest of %lld voxels",
                   static_cast<long long>(objects.count()),
                   static_cast<long long>(objects.largest())));
 }

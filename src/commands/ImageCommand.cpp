@@ -84,14 +84,6 @@ void print_objects(const base::Communicator& communicator, const voxels::LabelVo
       printable(count), static_cast<int>(connectivity), printable(large), printable(largest)));
 }
 
-/// Of all ranks. Collective.
-std::int64_t count_finite(const base::Communicator& communicator,
-                          const voxels::IntensityVolume& volume) {
-  return communicator.sum(
-      static_cast<std::int64_t>(std::count_if(volume.values.begin(), volume.values.end(),
-                                              [](double value) { return std::isfinite(value); })));
-}
-
 /// The finite values of a volume, one behind the other, as their statistics want them.
 voxels::IntensityVolume finite_values(const voxels::IntensityVolume& volume, std::int64_t count) {
   voxels::IntensityVolume finite;
@@ -134,11 +126,14 @@ std::optional<Otsu> print_statistics(const base::Communicator& communicator,
 /// What the values are, and the objects above Otsu's threshold.
 void print_intensities(const base::Communicator& communicator, voxels::IntensityVolume volume,
                        const image::ValueType& type, base::Log& log) {
-  const std::int64_t finite = count_finite(communicator, volume);
-  const bool has_gaps = finite > 0 && finite < volume.voxels();  // as results have, off the body
+  const image::NotFinite gaps = image::not_finite(communicator, volume);
+  const std::int64_t finite = volume.voxels() - gaps.count;
+  const bool has_gaps = finite > 0 && gaps.count > 0;  // as results have, off the body
   if (has_gaps)
-    log.line(format("not finite   %lld of %lld voxels (NaN or infinity), left out of statistics",
-                    printable(volume.voxels() - finite), printable(volume.voxels())));
+    log.line(
+        format("not finite   %lld of %lld voxels (NaN or infinity), the first of them %s, left "
+               "out of statistics; as the image of a specimen they are refused",
+               printable(gaps.count), printable(volume.voxels()), gaps.first.c_str()));
   const std::optional<Otsu> otsu =
       has_gaps ? print_statistics(communicator, finite_values(volume, finite), type, log)
                : print_statistics(communicator, volume, type, log);

@@ -3,6 +3,7 @@
 #include "run/BoundsTable.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "stroma/base/Log.hpp"
 
@@ -14,7 +15,8 @@ using material::Bounds;
 
 /// "576.7 Pa +10.72 %": a modulus, and its gain over that of one material.
 std::string entry(double modulus, double of_one) {
-  return format("%.4g Pa %+.2f %%", modulus, 100.0 * (modulus / of_one - 1.0));
+  const double gain = 100.0 * (modulus / of_one - 1.0);
+  return format(std::abs(gain) < 1e6 ? "%.4g Pa %+.2f %%" : "%.4g Pa %+.3g %%", modulus, gain);
 }
 
 std::string row(const char* modulus, const Bounds& bounds, const Bounds& of_one) {

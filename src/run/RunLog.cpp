@@ -150,10 +150,14 @@ void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResul
              solved.linear_iterations, solved.residual, seconds(), left));
   full_load_at_ = seconds() + left;
   if (load.finished()) log_->progress("");
-  if (solved.is_limited_by_rounding && !std::exchange(has_told_of_rounding_, true))
-    log_->note(format(
-        "rounding limits the residual to %.1e of the forces; more iterations would not lower it",
-        solved.residual));
+  constexpr double much_more = 2.0;
+  if (solved.is_limited_by_rounding && solved.residual > much_more * told_of_rounding_) {
+    told_of_rounding_ = solved.residual;
+    log_->note(
+        format("rounding limits the residual to %.1e of the forces, which are no better; more "
+               "iterations would not lower it",
+               solved.residual));
+  }
   constexpr double noticeable = 1e-6;
   if (!solved.is_limited_by_rounding && solved.hold_share > noticeable &&
       !std::exchange(has_told_of_holds_, true))

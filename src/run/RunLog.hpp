@@ -56,7 +56,8 @@ class RunLog {
   double start_;
   std::string step_ = {};      ///< that is being solved, as the line of progress has it
   double full_load_at_ = 0.0;  ///< seconds() by the steps so far; 0: none yet
-  bool has_told_of_rounding_ = false, has_told_of_holds_ = false, has_told_of_localization_ = false;
+  bool has_told_of_holds_ = false, has_told_of_localization_ = false;
+  double told_of_rounding_ = 0.0;  ///< the largest residual of which it was said
 };
 
 /// Why the step from one load to the next failed at the smallest size, where, and how to go on.

@@ -81,10 +81,13 @@ void print_steps(base::Log& log, const std::vector<output::HistoryRow>& rows,
       const double force = row.reactions[support.index][largest_component(support.displacement)];
       line += base::format("  %16s", readable_force(force).c_str());
     }
-    for (const auto& material : row.materials)
-      line += base::format("  %28s", base::format("mean %.4g, max %.4g Pa", material.von_mises_mean,
-                                                  material.von_mises_max)
-                                         .c_str());
+    for (const auto& material : row.materials) {
+      const std::string stress = material.volume > 0.0
+                                     ? base::format("mean %.4g, max %.4g Pa",
+                                                    material.von_mises_mean, material.von_mises_max)
+                                     : "no particle";
+      line += base::format("  %28s", stress.c_str());
+    }
     log.line(line);
   }
 }

@@ -102,6 +102,23 @@ std::vector<std::string> few_particles_notes(const shape::ShapeKind& kind,
   return notes;
 }
 
+/// Materials that no particle is of, as where a threshold is too high or a label another one.
+std::vector<std::string> unused_materials_notes(const base::Communicator& communicator,
+                                                const material::NamedMaterials& materials,
+                                                const particles::Particles<grid::Device>& seeded) {
+  std::vector<std::int64_t> particles(materials.size(), 0);
+  const auto material = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), seeded.material);
+  for (std::size_t p = 0; p < material.extent(0); ++p)
+    ++particles[static_cast<std::size_t>(material(p))];
+  communicator.sum_all(particles.data(), particles.size());
+  std::vector<std::string> notes;
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    if (particles[m] == 0)
+      notes.push_back(base::format("Materials|%s: no particle is of this material (label %d)",
+                                   materials[m].first.c_str(), materials[m].second.label));
+  return notes;
+}
+
 }  // namespace
 
 SpecimenImage read_image(const base::Communicator& communicator, const Deck& deck) {
@@ -196,6 +213,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   const std::string crossing = crossing_note(p.grid);
   if (!crossing.empty()) specimen.notes.push_back(crossing);
   for (std::string& note : few_particles_notes(shape::kind_of(p.grid.shape_functions), specimen))
+    specimen.notes.push_back(std::move(note));
+  for (std::string& note : unused_materials_notes(communicator, materials, specimen.particles))
     specimen.notes.push_back(std::move(note));
   for (std::string& note : notes_without_effect(p)) specimen.notes.push_back(std::move(note));
   for (const auto& [name, curve] : p.load_curves.curves)

@@ -94,6 +94,7 @@ Tables::Tables(const base::Communicator& communicator, const Deck& deck, const S
   for (std::size_t d = 0; d < 3; ++d) lattice_.origin[d] = specimen.body.origin[d];
   const std::vector<std::int32_t> by_size = labels_by_size(communicator, materials, labels);
   const bool has_ground = by_size.size() > 1;
+  if (has_ground) ground_ = material_of_label_.at(by_size.front());
   const particles::ParticleVoxels where = voxels_of(deck, specimen);
   find_objects(where, labels, has_ground ? by_size.front() : -1);
   for (std::size_t n = has_ground ? 1 : 0; n < by_size.size() && walls_.size() < most_walls; ++n)
@@ -146,12 +147,14 @@ std::string Tables::write(const output::RunFolder& folder, const output::History
   output::write_wall_table(communicator_, folder, materials_, bin_width(lattice_), walls_);
   const output::MostStressed most = output::write_object_table(
       communicator_, folder, material_of_label_, lattice_, objects_, sums);
-  if (most.object == 0) return "";
+  if (most.object == 0 || most.stress == 0.0) return "";
   return base::format(
-      "objects    %lld; the largest principal value of a mean stress, %.4g Pa, is that of number "
+      "objects    %lld%s; the largest principal value of a mean stress, %.4g Pa, is that of number "
       "%lld (%s, %lld voxel%s)",
-      static_cast<long long>(objects_.count), most.stress, static_cast<long long>(most.object),
-      most.material.c_str(), static_cast<long long>(most.voxels), most.voxels == 1 ? "" : "s");
+      static_cast<long long>(objects_.count),
+      ground_.empty() ? "" : (" that are not " + ground_).c_str(), most.stress,
+      static_cast<long long>(most.object), most.material.c_str(),
+      static_cast<long long>(most.voxels), most.voxels == 1 ? "" : "s");
 }
 
 }  // namespace stroma

@@ -55,6 +55,7 @@ class Tables {
   base::Communicator communicator_;
   bool are_wanted_;
   std::vector<std::string> materials_;
+  std::string ground_;  ///< the material between the objects; empty: there is none
   std::map<std::int64_t, std::string> material_of_label_;
   output::ObjectLattice lattice_;
   image::NumberedObjects objects_;    // without the numbers of voxels

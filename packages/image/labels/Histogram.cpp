@@ -35,17 +35,32 @@ Histogram counted(const base::Communicator& communicator, const voxels::Intensit
                   double first_edge, double width, std::int64_t bins, bool levels) {
   Histogram histogram{first_edge, width, levels,
                       std::vector<std::int64_t>(static_cast<std::size_t>(bins), 0)};
-  for (const double value : volume.values) {
-    const double bin = std::clamp((value - first_edge) / width, 0.0, static_cast<double>(bins - 1));
-    ++histogram.counts[static_cast<std::size_t>(bin)];
-  }
+  const auto bin_of = [&](double value) {
+    return static_cast<std::size_t>(
+        std::clamp((value - first_edge) / width, 0.0, static_cast<double>(bins - 1)));
+  };
+  for (const double value : volume.values) ++histogram.counts[bin_of(value)];
   communicator.sum_all(histogram.counts.data(), histogram.counts.size());
+  if (levels) return histogram;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  histogram.lowest.assign(histogram.counts.size(), infinity);
+  histogram.highest.assign(histogram.counts.size(), -infinity);
+  for (const double value : volume.values) {
+    const std::size_t bin = bin_of(value);
+    histogram.lowest[bin] = std::min(histogram.lowest[bin], value);
+    histogram.highest[bin] = std::max(histogram.highest[bin], value);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, histogram.lowest.data(), static_cast<int>(bins), MPI_DOUBLE, MPI_MIN,
+                communicator.raw());
+  MPI_Allreduce(MPI_IN_PLACE, histogram.highest.data(), static_cast<int>(bins), MPI_DOUBLE, MPI_MAX,
+                communicator.raw());
   return histogram;
 }
 
 }  // namespace
 
-void require_finite(const base::Communicator& communicator, const voxels::IntensityVolume& volume) {
+NotFinite not_finite(const base::Communicator& communicator,
+                     const voxels::IntensityVolume& volume) {
   constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
   std::int64_t count = 0, first = none;
   for (std::size_t i = 0; i < volume.values.size(); ++i) {
@@ -54,13 +69,20 @@ void require_finite(const base::Communicator& communicator, const voxels::Intens
       first = static_cast<std::int64_t>(i) + volume.first_plane * volume.plane_voxels();
     ++count;
   }
-  const std::int64_t all = communicator.sum(count);
-  if (all == 0) return;
+  NotFinite found;
+  found.count = communicator.sum(count);
+  if (found.count > 0) found.first = voxels::name_of_voxel(volume, communicator.min(first));
+  return found;
+}
+
+void require_finite(const base::Communicator& communicator, const voxels::IntensityVolume& volume) {
+  const NotFinite found = not_finite(communicator, volume);
+  if (found.count == 0) return;
   throw base::InputError(base::format(
       "%lld of %lld voxels are not finite (NaN or infinity), the first of them %s; admissible: "
       "finite intensities",
-      static_cast<long long>(all), static_cast<long long>(volume.voxels()),
-      voxels::name_of_voxel(volume, communicator.min(first)).c_str()));
+      static_cast<long long>(found.count), static_cast<long long>(volume.voxels()),
+      found.first.c_str()));
 }
 
 std::int64_t Histogram::total() const {
@@ -127,17 +149,17 @@ double otsu_threshold(const Histogram& histogram) {
 
 double percentile(const Histogram& histogram, double percent) {
   const std::int64_t total = histogram.total();
-  // The value of the voxel at a place of the sorted order; inside a bin of a float image, spread
-  // evenly over it.
+  // The value of the voxel at a place of the sorted order; those of a bin of a float image are taken
+  // to be evenly spread.
   const auto value_at = [&](std::int64_t place) {
     std::int64_t before = 0;
     for (std::size_t b = 0; b < histogram.counts.size(); ++b) {
       const std::int64_t here = histogram.counts[b];
       if (place < before + here) {
         if (histogram.levels) return histogram.center(b);
-        const double within =
-            (static_cast<double>(place - before) + 0.5) / static_cast<double>(here);
-        return histogram.first_edge + (static_cast<double>(b) + within) * histogram.width;
+        const double within = static_cast<double>(place - before) /
+                              static_cast<double>(std::max<std::int64_t>(here - 1, 1));
+        return histogram.lowest[b] + within * (histogram.highest[b] - histogram.lowest[b]);
       }
       before += here;
     }

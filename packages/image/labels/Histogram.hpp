@@ -6,6 +6,7 @@
 /// Histogram of a distributed volume, what can be read off it, and Otsu's threshold.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "stroma/base/Communicator.hpp"
@@ -21,6 +22,7 @@ struct Histogram {
   double width = 1.0;
   bool levels = false;               ///< one bin per integer level, the level at the bin's centre
   std::vector<std::int64_t> counts;  ///< of all ranks
+  std::vector<double> lowest = {}, highest = {};  ///< (bin) of its values; empty for levels
 
   double center(std::size_t bin) const {
     return first_edge + (static_cast<double>(bin) + 0.5) * width;
@@ -36,6 +38,15 @@ struct Statistics {
 /// The widest range of integers that gets one bin per level (2^20 levels); a wider one gets equal
 /// bins.
 inline constexpr std::int64_t most_levels = std::int64_t{1} << 20;
+
+/// What of a volume is NaN or infinite.
+struct NotFinite {
+  std::int64_t count = 0;
+  std::string first;  ///< voxel (i, j, k) of the file
+};
+
+/// Collective.
+NotFinite not_finite(const base::Communicator& communicator, const voxels::IntensityVolume& volume);
 
 /// Collective.
 /// \throws base::InputError when a value is not finite: how many, and where the first is
@@ -68,8 +79,8 @@ Histogram equal_bins(const base::Communicator& communicator, const voxels::Inten
 double otsu_threshold(const Histogram& histogram);
 
 /// The value below which the given percentage of the voxels lies, linear between neighbouring order
-/// statistics (the convention of most numerical libraries). Exact for levels, else within a bin's
-/// width.
+/// statistics (the convention of most numerical libraries). Exact for levels, else between the values
+/// of a bin.
 double percentile(const Histogram& histogram, double percent);
 
 /// Fraction of the voxels with a value > threshold. Collective.

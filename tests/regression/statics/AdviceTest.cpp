@@ -126,6 +126,20 @@ TEST(Advice, ACurveThatBeginsHighIsNamedWhereTheFirstStepFails) {
   EXPECT_EQ(low.standard_error.find("- Load Curves"), std::string::npos) << low.standard_error;
 }
 
+TEST(Advice, MaterialsWithoutAParticleAreNoted) {
+  const std::string note = "note: Materials|ball: no particle is of this material (label 1)";
+  for (const char* command : {"check ", "run "}) {
+    const auto said = [&](const std::string& settings) {
+      return run_case("false_convergence/base.yaml", settings, 1, command).standard_output;
+    };
+    EXPECT_EQ(said("").find(note), std::string::npos);
+    const std::string without = said(" --set 'Image|Phantom|Shapes|ball|Label=0'");
+    EXPECT_NE(without.find(note), std::string::npos) << without;
+    const bool has_stress_of_none = without.find("mean 0, max 0 Pa\n") != std::string::npos;
+    EXPECT_FALSE(has_stress_of_none) << without;
+  }
+}
+
 TEST(Advice, WhatHasNoEffectIsNoted) {
   const auto is_noted = [&](const std::string& settings, const std::string& what) {
     const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, "check ");

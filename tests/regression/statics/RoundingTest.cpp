@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/Places.hpp"
 #include "support/Program.hpp"
 
@@ -47,6 +49,21 @@ TEST(Rounding, SmallAgainstTheForcesIsToldAndNoted) {
       << outcome.standard_output;
   EXPECT_EQ(outcome.standard_output.find("residual 0.00e+00"), std::string::npos)
       << outcome.standard_output;
+}
+
+// The largest residual is told, not the first one that rounding limits.
+TEST(Rounding, IsToldAgainWhereItGrows) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_with(folder, stiff_ball("5e13") + " --set 'Loading|Steps=8'");
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+  const std::string note = "note: rounding limits the residual to ";
+  double told = 0.0;
+  for (std::size_t at = 0; (at = outcome.standard_output.find(note, at)) != std::string::npos;) {
+    at += note.size();
+    told = std::max(told, std::stod(outcome.standard_output.substr(at, 8)));
+  }
+  const std::vector<double> residuals = History(folder / "base/history.csv")["residual"];
+  EXPECT_LT(*std::max_element(residuals.begin() + 1, residuals.end()), 2.1 * told);
 }
 
 TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {

@@ -101,6 +101,33 @@ TEST(Histogram, FloatsGet256EqualBins) {
   EXPECT_NEAR(image::otsu_threshold(histogram), -0.5 + 0.5 / 256.0, 1e-14);
 }
 
+// Percentiles of a mask in floats are values of the mask, not places within bins.
+TEST(Histogram, PercentilesOfFloatsLieBetweenValuesOfTheirBin) {
+  const base::Communicator world = base::Communicator::world();
+  const IntensityVolume mask = volume_of({8, 8, 8}, [](auto i) { return i % 10 == 0 ? 1.0 : 0.0; });
+  const image::Histogram histogram = image::equal_bins(world, mask, 65536);
+  for (const double percent : {0.0, 5.0, 50.0, 89.0})
+    EXPECT_EQ(image::percentile(histogram, percent), 0.0) << percent;
+  for (const double percent : {91.0, 99.9, 100.0})
+    EXPECT_EQ(image::percentile(histogram, percent), 1.0) << percent;
+  const IntensityVolume even =
+      volume_of({8, 8, 8}, [](auto i) { return 0.25 + static_cast<double>(i); });
+  const image::Histogram few = image::equal_bins(world, even, 7);
+  for (const double percent : {0.0, 12.5, 50.0, 99.9, 100.0})
+    EXPECT_NEAR(image::percentile(few, percent), 0.25 + 5.11 * percent, 1e-9);
+}
+
+TEST(Histogram, WhatIsNotFiniteIsCountedAndPlaced) {
+  const base::Communicator world = base::Communicator::world();
+  const IntensityVolume broken = volume_of({4, 4, 4}, [](auto i) {
+    return i == 45 || i == 57 ? -std::numeric_limits<double>::infinity() : 1.0;
+  });
+  const image::NotFinite found = image::not_finite(world, broken);
+  EXPECT_EQ(found.count, 2);
+  EXPECT_EQ(found.first, "voxel (1, 3, 2)");
+  EXPECT_EQ(image::not_finite(world, volume_of({4, 4, 4}, [](auto) { return 1.0; })).count, 0);
+}
+
 TEST(Histogram, WhatHasNoHistogramIsAnInputError) {
   const base::Communicator world = base::Communicator::world();
   const IntensityVolume constant = volume_of({4, 4, 4}, [](auto) { return 7.0; });
