@@ -165,9 +165,11 @@ void require_memory(const base::Communicator& communicator, const DeckParameters
   std::string counted = format("%.3g voxels (%s a rank), ", ranks * counts.voxels,
                                readable_bytes(estimate.image).c_str());
   if (filled > 0.0)
-    counted += format(
-        "%.3g particles (%s), ", ranks * counts.particles,
-        readable_bytes(std::max(estimate.seeding, estimate.particles + estimate.results)).c_str());
+    counted +=
+        format("%.3g particles (%s), ", ranks * counts.particles,
+               readable_bytes(std::max(estimate.seeding,
+                                       estimate.particles + estimate.results + estimate.tables))
+                   .c_str());
   if (counts.measured > 0.0)
     counted += format("images of displacements or velocities (%s), ",
                       readable_bytes(estimate.measured).c_str());
