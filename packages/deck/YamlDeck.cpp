@@ -194,7 +194,10 @@ ParsedTree parse_yaml(const std::string& text, const std::string& path) {
   } catch (const NoDeck& error) {
     throw malformed(path, error.line, error.reason);
   } catch (const YAML::Exception& error) {
-    throw malformed(path, std::max(1, error.mark.line + 1), "not well-formed YAML: " + error.msg);
+    const bool in_braces = error.msg.find("flow map") != std::string::npos;
+    throw malformed(path, std::max(1, error.mark.line + 1),
+                    "not well-formed YAML: " + error.msg +
+                        (in_braces ? "; within { }, names with [ ] stand in quotes" : ""));
   }
 }
 

@@ -63,9 +63,9 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
     if (material.label > 0 && fraction > 0.0) {
       const double width = image::mean_width(communicator, labels, material.label);
       if (std::isfinite(width))
-        log.line(format("width       %-12s %.4g um on the average: %.2f x %.2f x %.2f elements",
-                        name.c_str(), width, width / spacing[0], width / spacing[1],
-                        width / spacing[2]));
+        log.line(format(
+            "width       %-12s %.4g um on the average, if round tubes: %.2f x %.2f x %.2f elements",
+            name.c_str(), width, width / spacing[0], width / spacing[1], width / spacing[2]));
     }
   }
   if (fractions.count(-1) > 0) log.line(format("fraction    empty (-1): %.6f", fractions.at(-1)));

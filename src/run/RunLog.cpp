@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "run/WithoutEffect.hpp"
@@ -74,6 +75,7 @@ double RunLog::seconds() const { return MPI_Wtime() - start_; }
 
 void RunLog::go_on(const output::HistoryRow& row) {
   start_ -= row.wall_seconds;
+  most_energy_ = row.strain_energy;
   if (row.load > 0.0) full_load_at_ = row.wall_seconds / row.load;
   log_->line(
       format("goes on    after step %lld, load %.6g", static_cast<long long>(row.step), row.load));
@@ -180,6 +182,26 @@ void RunLog::localization(const mechanics::MovingBody& body, const output::Histo
   has_told_of_localization_ = true;
   log_->note(format("at load %.6g the body has ", row.load) + found +
              "; results from here on may depend on the grid");
+}
+
+void RunLog::rest(const output::HistoryRow& row, bool is_last) {
+  most_energy_ = std::max(most_energy_, row.strain_energy);
+  const material::NamedMaterials& materials = deck_->parameters.materials.materials;
+  const bool may_be_free_of_stress =  // in flight, or grown
+      deck_->parameters.loading.inertia ||
+      std::any_of(materials.begin(), materials.end(),
+                  [](const auto& named) { return named.second.growth.has_value(); });
+  if (!is_last || may_be_free_of_stress) return;
+  double softest = std::numeric_limits<double>::infinity(), volume = 0.0;
+  for (const material::SmallStrainModuli& moduli : material::moduli_of(materials))
+    if (moduli.shear > 0.0) softest = std::min(softest, moduli.shear);
+  for (const auto& material : row.materials) volume += material.volume;
+  constexpr double by_rounding = 1e-11;  // strains
+  if (most_energy_ < by_rounding * by_rounding * softest * volume)
+    log_->note(format(
+        "nothing strains the body: its energy is at most %.1e aJ, and stresses and forces are 0 or "
+        "errors of rounding; it is not loaded, or moves as a whole",
+        most_energy_));
 }
 
 void RunLog::rejected(double load, const std::string& reason) {

@@ -43,6 +43,8 @@ class RunLog {
   /// Says once where the body, as it is after the accepted step of a row, has lost ellipticity.
   /// Collective.
   void localization(const mechanics::MovingBody& body, const output::HistoryRow& row);
+  /// Says, where a row ends a run in which nothing strained the body, that its stresses are none.
+  void rest(const output::HistoryRow& row, bool is_last);
   void rejected(double load, const std::string& reason);
   /// What Grid|Stabilization adds to the body, where it does. Collective.
   void stabilization(const mechanics::MovingBody& body);
@@ -57,6 +59,7 @@ class RunLog {
   std::string step_ = {};      ///< that is being solved, as the line of progress has it
   double full_load_at_ = 0.0;  ///< seconds() by the steps so far; 0: none yet
   bool has_told_of_holds_ = false, has_told_of_localization_ = false;
+  double most_energy_ = 0.0;       ///< of strain, in the steps so far [aJ]
   double told_of_rounding_ = 0.0;  ///< the largest residual of which it was said
 };
 

@@ -135,6 +135,7 @@ void Run::take_steps() {
     if (accepted) accepted({row, body.balance(), *trial, *newton});
     say.accepted(load, *solved);
     say.localization(body, results.last_row());
+    say.rest(results.last_row(), load.finished());
     log.require_written();
     if (load.finished()) break;
     if (checkpoints.is_due(load.accepted())) {

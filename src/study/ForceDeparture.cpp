@@ -25,7 +25,9 @@ double force_at(const ForceRecord& record, double load) {
 }
 
 std::optional<double> secant_departure(const ForceRecord& record) {
-  if (!has_end(record)) return std::nullopt;
+  const bool has_between = std::any_of(record.load.begin(), record.load.end(),
+                                       [](double load) { return load > 0.0 && load < 1.0; });
+  if (!has_end(record) || !has_between) return std::nullopt;
   const double end = record.force.back();
   double largest = 0.0;
   for (std::size_t s = 0; s < record.load.size(); ++s)

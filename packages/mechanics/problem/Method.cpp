@@ -45,8 +45,9 @@ std::string locking_note(const GridParameters& parameters, const Compressibility
   const bool is_projected =
       parameters.deformation_gradient == DeformationGradient::projected_displacement;
   return base::format(
-             "Grid|Dilatation = Pointwise lets these shape functions lock at a Poisson ratio of "
+             "Grid|Dilatation = Pointwise%s lets these shape functions lock at a Poisson ratio of "
              "%.6g: the body is too stiff, the more so the nearer it is to 0.5; ",
+             parameters.dilatation == DilatationChoice::automatic ? " (by Automatic)" : "",
              of_volume.largest_poisson_ratio) +
          (!of_volume.may_be_averaged
               ? "a law without an energy of volume admits no other; B-splines cure it"

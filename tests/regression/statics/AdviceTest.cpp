@@ -140,6 +140,48 @@ TEST(Advice, MaterialsWithoutAParticleAreNoted) {
   }
 }
 
+TEST(Advice, LoadsThatAreOftenNotMeantAreNoted) {
+  const auto is_noted = [&](const std::string& settings, const std::string& what,
+                            const std::string& command = "check ") {
+    const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, command);
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    return outcome.standard_output.find("note: " + what) != std::string::npos;
+  };
+  const std::string strain = " --set 'Boundary Conditions|top|Strain=";
+  const std::string per_cent = "Boundary Conditions|top: Strain = 5 is 500 % of the body's length";
+  EXPECT_TRUE(is_noted(strain + "5'", per_cent));
+  EXPECT_FALSE(is_noted(strain + "0.5'", per_cent));
+  const std::string grip = "Boundary Conditions|top: a Grip holds a layer";
+  EXPECT_TRUE(is_noted(" --set 'Boundary Conditions|top|Imposed By=Grip'", grip));
+  EXPECT_FALSE(is_noted("", grip));
+  const auto pulled_along = [&](const std::string& components, const std::string& traction) {
+    const TemporaryFolder folder;
+    std::string text = content_of(clone_folder() / "tests/data/cases/false_convergence/base.yaml");
+    const std::string all = "      Components: xyz\n      Strain: 0.10\n";
+    text.replace(text.find(all), all.size(), "      Components: " + components + "\n");
+    text += "  External Forces: {pull: {Face: y+, 'Traction [Pa]': " + traction + "}}\n";
+    folder.write("pull.yaml", text);
+    const Outcome outcome = run_stroma(folder.path(), "check pull.yaml");
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    return outcome.standard_output.find(
+               "note: External Forces|pull: Boundary Conditions|top holds its face along y") !=
+           std::string::npos;
+  };
+  EXPECT_TRUE(pulled_along("xyz", "[0, 9, 0]"));
+  EXPECT_TRUE(pulled_along("y", "[0, 9, 0]"));
+  EXPECT_FALSE(pulled_along("xyz", "[0, 0, 9]"));
+  EXPECT_FALSE(pulled_along("xz", "[0, 9, 0]"));
+  const std::string slice = " --set 'Image|Phantom|Size=[8, 8, 1]' --set 'Grid|Elements=[4, 4, 1]'";
+  const std::string flat = " --set 'Grid|Plane Strain=true'";
+  const std::string sheet = "the image is a single slice, and Grid|Plane Strain is false";
+  EXPECT_TRUE(is_noted(slice, sheet));
+  EXPECT_FALSE(is_noted(slice + flat, sheet));
+  EXPECT_FALSE(is_noted("", sheet));
+  const std::string rest = "nothing strains the body: its energy is at most";
+  EXPECT_TRUE(is_noted(strain + "0'", rest, "run "));
+  EXPECT_FALSE(is_noted(strain + "1e-6'", rest, "run "));
+}
+
 TEST(Advice, WhatHasNoEffectIsNoted) {
   const auto is_noted = [&](const std::string& settings, const std::string& what) {
     const Outcome outcome = run_case("false_convergence/base.yaml", settings, 1, "check ");

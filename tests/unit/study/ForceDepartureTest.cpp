@@ -31,6 +31,7 @@ TEST(ForceDeparture, SecantIsTheLargestOverTheSteps) {
   EXPECT_DOUBLE_EQ(*secant_departure({straight.load, {0.0, -3.5, -8.0, -7.0, -10.0}}), 0.3);
   EXPECT_EQ(secant_departure({{0.0, 1.0}, {0.0, 0.0}}), std::nullopt);
   EXPECT_EQ(secant_departure({}), std::nullopt);
+  EXPECT_EQ(secant_departure({{0.0, 1.0}, {0.0, 7.0}}), std::nullopt) << "one step is no curve";
 }
 
 TEST(ForceDeparture, RmsOverTheStepsButTheUnloaded) {

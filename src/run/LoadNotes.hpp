@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+/// \file
+/// Conditions and forces that are admissible, and yet often not what was meant.
+
+#include <string>
+#include <vector>
+
+#include "run/Deck.hpp"
+
+namespace stroma {
+
+/// A note for each strain of 100 % and more (per cent instead of shares), grip that strains (it takes
+/// of the length that is strained), traction on what a condition holds on the same face (it goes into
+/// the support), and for the one slice of a sheet, or the several of plane strain.
+/// \param slices  of the image
+std::vector<std::string> load_notes(const DeckParameters& parameters, std::int64_t slices);
+
+}  // namespace stroma
