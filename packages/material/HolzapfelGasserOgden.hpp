@@ -93,7 +93,7 @@ struct HolzapfelGasserOgden : Uncoupled {
     const double x = bbar.first_invariant_minus_3(H, log_j);
     for (int f = 0; f < families; ++f) {
       const Family family(*this, f, H, log_j, x);
-      if (!(family.e > 0.0)) continue;
+      if (!(family.e >= 0.0)) continue;  // at rest as in tension, as all fibres have it
       const Tensor3 dev_h = structure(family, dev_b);
       const Tensor3 s = (2.0 * family.slope) * dev_h;
       const double symmetric = 2.0 / 3.0 * family.slope * (1.0 + family.e);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "run/Deck.hpp"
+#include "run/ReadImages.hpp"
 #include "run/Specimen.hpp"
 #include "stroma/image/StructureTensor.hpp"
 #include "stroma/particles/Seeding.hpp"
@@ -42,7 +43,7 @@ class FieldImages {
                                              const material::DirectionsFromImage& from,
                                              const std::vector<bool>& counts);
   /// What was read so far, beside the specimen's image.
-  const std::vector<std::string>& files() const { return files_; }
+  const ReadImages& seen() const { return seen_; }
 
  private:
   voxels::IntensityVolume read(const std::string& where, const material::FieldImage& image);
@@ -64,7 +65,7 @@ class FieldImages {
   const SpecimenImage* image_;
   const particles::ParticleVoxels* particles_;
   std::map<Key, std::vector<double>> known_;
-  std::vector<std::string> files_;
+  ReadImages seen_;
 };
 
 }  // namespace stroma

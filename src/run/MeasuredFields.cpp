@@ -83,9 +83,9 @@ class Reader {
          Wanted wanted)
       : communicator_(communicator), deck_(&deck), body_(&body), wanted_(std::move(wanted)) {}
 
-  std::shared_ptr<const VectorField> read(std::vector<std::string>& files) {
+  std::shared_ptr<const VectorField> read(ReadImages& seen) {
     for (int component = 0; component < 3; ++component)
-      if (wanted_.components[static_cast<std::size_t>(component)]) read(component, files);
+      if (wanted_.components[static_cast<std::size_t>(component)]) read(component, seen);
     double largest = 0.0;
     for (const VectorField::Block& block : blocks_)
       for (const std::vector<double>& values : block.values)
@@ -96,7 +96,7 @@ class Reader {
   }
 
  private:
-  void read(int component, std::vector<std::string>& files) {
+  void read(int component, ReadImages& seen) {
     const VectorImages& images = wanted_.images;
     const std::string& where = wanted_.where;
     image::ImageParameters file;
@@ -114,8 +114,7 @@ class Reader {
       const std::string what = error.what();
       throw base::InputError(what.rfind(where, 0) == 0 ? what : where + ": " + what);
     }
-    for (const std::string& name : found.files)
-      if (std::find(files.begin(), files.end(), name) == files.end()) files.push_back(name);
+    seen.add(where, found);
     for (VectorField::Block& block : blocks_)
       block.values[static_cast<std::size_t>(component)] =
           voxels::extract(communicator_, volume, block.box);
@@ -198,14 +197,14 @@ template <class Condition>
 std::vector<std::shared_ptr<const VectorField>> fields_of(
     const std::vector<std::pair<std::string, Condition>>& conditions,
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
-    const Extent& nodes, int elements, std::vector<std::string>& files) {
+    const Extent& nodes, int elements, ReadImages& seen) {
   std::vector<std::shared_ptr<const VectorField>> fields;
   for (const auto& [name, condition] : conditions) {
     fields.emplace_back();
     if (condition.images)
       fields.back() =
           Reader(communicator, deck, body, wanted_by(name, condition, body, nodes, elements))
-              .read(files);
+              .read(seen);
   }
   return fields;
 }
@@ -214,20 +213,20 @@ std::vector<std::shared_ptr<const VectorField>> fields_of(
 
 std::vector<std::shared_ptr<const VectorField>> measured_displacements(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
-    const grid::Partition& partition, std::vector<std::string>& files) {
+    const grid::Partition& partition, ReadImages& seen) {
   // On a grid that is reset, a rank's particles may become those of any other part of the body.
   const grid::Box nodes = deck.parameters.grid.reset ? partition.grid().all_nodes()
                                                      : partition.touched_nodes(communicator.rank());
   return fields_of(deck.parameters.boundary_conditions.conditions, communicator, deck, body,
-                   extent_of_nodes(partition, nodes), partition.grid().width - 1, files);
+                   extent_of_nodes(partition, nodes), partition.grid().width - 1, seen);
 }
 
 std::vector<std::shared_ptr<const VectorField>> measured_velocities(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
-    const grid::Partition& partition, std::vector<std::string>& files) {
+    const grid::Partition& partition, ReadImages& seen) {
   const grid::Box nodes = partition.touched_nodes(communicator.rank());
   return fields_of(deck.parameters.initial_conditions.conditions, communicator, deck, body,
-                   extent_of_nodes(partition, nodes), 1, files);
+                   extent_of_nodes(partition, nodes), 1, seen);
 }
 
 }  // namespace stroma

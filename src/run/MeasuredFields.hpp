@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "run/Deck.hpp"
+#include "run/ReadImages.hpp"
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Partition.hpp"
 
@@ -22,17 +23,17 @@ namespace stroma {
 /// \param deck          it names the images
 /// \param body          the grid that fills the body's box
 /// \param partition     of the grid under it
-/// \param files         gains those that were read
+/// \param seen          gains the files that were read, and what is to be known of them
 /// \throws base::InputError, naming the condition: an image cannot be had, has no voxel size or
 ///   another size than the first, or does not reach to all of the face
 std::vector<std::shared_ptr<const mechanics::VectorField>> measured_displacements(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
-    const grid::Partition& partition, std::vector<std::string>& files);
+    const grid::Partition& partition, ReadImages& seen);
 
 /// The velocity of each initial condition that has images, null of the others; the same, of all that
 /// a rank has of the body.
 std::vector<std::shared_ptr<const mechanics::VectorField>> measured_velocities(
     const base::Communicator& communicator, const Deck& deck, const grid::Grid& body,
-    const grid::Partition& partition, std::vector<std::string>& files);
+    const grid::Partition& partition, ReadImages& seen);
 
 }  // namespace stroma

@@ -183,15 +183,16 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   auto particles = particles::seed(communicator, p.particles, lattice, labels,
                                    material::material_of_label(materials), vary ? &where : nullptr);
   OwnNumbers own;
-  std::vector<std::string> files = image.summary.files;
+  ReadImages seen{image.summary.files, {}};
   if (vary) {
     FieldImages images(communicator, deck, image, where);
     own = give_own_numbers(communicator, images, materials, particles);
-    files.insert(files.end(), images.files().begin(), images.files().end());
+    seen.files.insert(seen.files.end(), images.seen().files.begin(), images.seen().files.end());
+    seen.notes = images.seen().notes;
   }
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
-  auto displacements = measured_displacements(communicator, deck, grid, partition, files);
-  auto velocities = measured_velocities(communicator, deck, grid, partition, files);
+  auto displacements = measured_displacements(communicator, deck, grid, partition, seen);
+  auto velocities = measured_velocities(communicator, deck, grid, partition, seen);
   if (partition.grid().centered) particles = particles::migrate(communicator, partition, particles);
   Specimen specimen{image.summary,
                     grid,
@@ -206,7 +207,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     {},
                     std::move(displacements),
                     std::move(velocities),
-                    std::move(files)};
+                    std::move(seen.files)};
   const material::Compressibility of_volume = material::compressibility(materials);
   specimen.dilatation = mechanics::describe_dilatation(p.grid, of_volume);
   const std::string locking = mechanics::locking_note(p.grid, of_volume);
@@ -217,6 +218,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
     specimen.notes.push_back(std::move(note));
   for (std::string& note : unused_materials_notes(communicator, materials, specimen.particles))
     specimen.notes.push_back(std::move(note));
+  for (std::string& note : seen.notes) specimen.notes.push_back(std::move(note));
   for (std::string& note : load_notes(p, labels.size[2])) specimen.notes.push_back(std::move(note));
   for (std::string& note : notes_without_effect(p)) specimen.notes.push_back(std::move(note));
   for (const auto& [name, curve] : p.load_curves.curves)

@@ -151,6 +151,24 @@ TEST(DirectionsFromImage, OfComponentsAreThoseOfTheDeck) {
   }
 }
 
+// What a header says is told, as of the specimen's own image.
+TEST(DirectionsFromImage, OfAMirroredHeaderAreThoseOfTheArrayAndThatIsSaid) {
+  const TemporaryFolder folder;
+  write_components(folder);
+  folder.write("deck.yaml", deck("gel.mhd", "[1, 1, 1]", "[2, 2, 2]", collagen, from_images, 'y'));
+  const std::string note =
+      "note: Materials|gel|Fibers|collagen: the header turns or mirrors the axes";
+  EXPECT_EQ(run_stroma(folder.path(), "check deck.yaml").standard_output.find(note),
+            std::string::npos);
+  const std::string header = content_of(folder / "nx.mhd"), type = "ElementType";
+  std::string mirrored = header;
+  mirrored.insert(header.find(type), "TransformMatrix = -1 0 0 0 1 0 0 0 1\n");
+  folder.write("nx.mhd", mirrored);
+  const Outcome outcome = run_stroma(folder.path(), "check deck.yaml");
+  EXPECT_NE(outcome.standard_output.find(note), std::string::npos)
+      << outcome.standard_output << outcome.standard_error;
+}
+
 TEST(DirectionsFromImage, NameTheVoxelWithoutOne) {
   const TemporaryFolder folder;
   write_components(folder);

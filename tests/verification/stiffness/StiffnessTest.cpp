@@ -95,6 +95,15 @@ Matrix6 fiber_stiffness(double k, const Eigen::Vector3d& n) {
   return k * v * v.transpose();
 }
 
+/// A family of Holzapfel, Gasser and Ogden along n, of which E = 2 (1 - 3 kappa)(n n - I/3) : e.
+Matrix6 dispersed_stiffness(double k1, double kappa, const Eigen::Vector3d& n) {
+  const Eigen::Vector3d u = n.normalized();
+  Eigen::Matrix<double, 6, 1> v;
+  v << u(0) * u(0) - 1.0 / 3.0, u(1) * u(1) - 1.0 / 3.0, u(2) * u(2) - 1.0 / 3.0, u(1) * u(2),
+      u(0) * u(2), u(0) * u(1);
+  return 4.0 * k1 * (1.0 - 3.0 * kappa) * (1.0 - 3.0 * kappa) * v * v.transpose();
+}
+
 std::string fibers(const std::string& name, double k, const std::string& direction) {
   return "        " + name + ": {Law: Buckling-Stiffening, 'K [Pa]': " + std::to_string(k) +
          ", D0: 0.01, Lambda S: 0.1, DS: 0.1, Direction: [" + direction + "]}\n";
@@ -115,7 +124,10 @@ TEST_F(Stiffness, OfAUniformSpecimenIsTheMaterials) {
       {gel + "      Fibers:\n" + fibers("along", 900.0, "1, 0, 0") + fibers("up", 300.0, "0, 0, 1"),
        matrix_alone + fiber_stiffness(900.0, {1, 0, 0}) + fiber_stiffness(300.0, {0, 0, 1})},
       {gel + "      Fibers:\n" + fibers("oblique", 900.0, "1, 2, -0.5"),
-       matrix_alone + fiber_stiffness(900.0, {1, 2, -0.5})}};
+       matrix_alone + fiber_stiffness(900.0, {1, 2, -0.5})},
+      {"    wall: {Label: 0, Model: Holzapfel-Gasser-Ogden, 'C [Pa]': 200, 'K1 [Pa]': 300, K2: 3, "
+       "Kappa: 0.1, 'Bulk Modulus [Pa]': 500, Fibers: {a: {Direction: [1, 2, -0.5]}}}\n",
+       matrix_alone + dispersed_stiffness(300.0, 0.1, {1, 2, -0.5})}};
   for (const Case& c : cases) {
     const nlohmann::json found = run(deck(c.materials, "3, 3, 3"));
     for (const char* boundary : boundaries)
