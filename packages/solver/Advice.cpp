@@ -65,14 +65,16 @@ std::vector<std::string> advice(const Circumstances& known) {
                   (known.stabilization > 0.0
                        ? format("a larger Grid|Stabilization (now %g)", known.stabilization)
                        : std::string("Grid|Stabilization = 1e-4 keeps their nodes in place")));
-  const std::string on_contrast = contrast_note(known);
-  if (!on_contrast.empty()) all.push_back(on_contrast);
-  if (known.contrast > resolved)
-    all.push_back(format(
-        "the stiffest material is %.2g times stiffer than the softest, and errors of rounding "
-        "grow with that: a lower modulus; from 1e6 times on, what is stiffer still changes "
-        "forces by 1e-4 or less",
-        known.contrast));
+  const bool is_steep = known.contrast > resolved;
+  if (is_steep)
+    all.push_back(format("the stiffest material is %.2g times stiffer than the softest, and errors "
+                         "of rounding grow with that: ",
+                         known.contrast) +
+                  (known.is_single_precision
+                       ? "Solver|Preconditioner = Multigrid, whose tangent is "
+                         "in double precision, or a lower modulus"
+                       : "a lower modulus") +
+                  "; from 1e6 times on, what is stiffer still changes forces by 1e-4 or less");
   if (!known.locking.empty()) all.push_back(known.locking);
   if (known.has_free_motion)
     all.push_back("the boundary conditions leave a rigid motion free: " +
@@ -80,7 +82,7 @@ std::vector<std::string> advice(const Circumstances& known) {
                        ? format("a support for each of the body's %lld pieces that carry load",
                                 static_cast<long long>(known.pieces))
                        : std::string("a support against it")));
-  if (known.is_single_precision && on_contrast.empty())
+  if (known.is_single_precision && !is_steep)
     all.push_back(
         "parts that hang on the rest by an edge or a corner: Solver|Preconditioner = Multigrid, "
         "whose tangent is in double precision");

@@ -12,9 +12,9 @@
 #include "stiffness/StiffnessRun.hpp"
 #include "stroma/base/Memory.hpp"
 #include "stroma/grid/ShapeGrid.hpp"
-#include "stroma/image/labels/MeanWidth.hpp"
 #include "stroma/image/labels/Objects.hpp"
 #include "stroma/image/labels/Segmentation.hpp"
+#include "stroma/image/labels/Widths.hpp"
 #include "stroma/mechanics/BarelyFilled.hpp"
 #include "stroma/solver/IterationTraffic.hpp"
 #include "stroma/solver/TrialSolve.hpp"
@@ -61,11 +61,14 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
       log.line(list);
     }
     if (material.label > 0 && fraction > 0.0) {
-      const double width = image::mean_width(communicator, labels, material.label);
-      if (std::isfinite(width))
+      const image::Widths widths = image::widths(communicator, labels, {material.label}).front();
+      const auto& chords = widths.chords;
+      if (std::isfinite(widths.tubes))
         log.line(format(
-            "width       %-12s %.4g um on the average, if round tubes: %.2f x %.2f x %.2f elements",
-            name.c_str(), width, width / spacing[0], width / spacing[1], width / spacing[2]));
+            "width       %-12s %.4g x %.4g x %.4g um from wall to wall along x, y, z on the average: "
+            "%.2f x %.2f x %.2f elements; as round tubes %.4g um",
+            name.c_str(), chords[0], chords[1], chords[2], chords[0] / spacing[0],
+            chords[1] / spacing[1], chords[2] / spacing[2], widths.tubes));
     }
   }
   if (fractions.count(-1) > 0) log.line(format("fraction    empty (-1): %.6f", fractions.at(-1)));

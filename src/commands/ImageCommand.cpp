@@ -107,7 +107,7 @@ std::optional<Otsu> print_statistics(const base::Communicator& communicator,
   log.line(format("intensity    min %.9g, max %.9g, mean %.6g, standard deviation %.6g",
                   statistics.min, statistics.max, statistics.mean, statistics.deviation));
   const image::Histogram fine =
-      histogram.levels ? histogram : image::equal_bins(communicator, volume, 65536);
+      histogram.levels ? histogram : image::histogram_with_extremes(communicator, volume, 65536);
   std::string percentiles;
   for (const double percent : {1.0, 5.0, 25.0, 50.0, 75.0, 95.0, 99.0, 99.9}) {
     percentiles += percentiles.empty() ? "percentiles  " : ", ";

@@ -40,7 +40,7 @@ void refuse_twins(const FitPlan& plan, deck::Findings& findings) {
 std::optional<double> load_at(const MeasurementParameters& p, const Deck& deck,
                               const mechanics::BoundaryCondition& condition, double abscissa) {
   const double full = p.against == Against::time ? deck.parameters.loading.seconds()
-                                                 : condition.strain.value_or(0.0);
+                                                 : strain_between_faces(deck.parameters, condition);
   const double load = abscissa / full, rounding = 1e-9;
   if (!(load >= -rounding && load <= 1.0 + rounding)) return std::nullopt;
   return std::min(1.0, std::max(0.0, load));
@@ -68,11 +68,12 @@ void read_points(FitPlan& plan, const Deck& start, deck::Findings& findings) {
       continue;
     }
     if (p.against == Against::strain &&
-        !(condition->second.strain && *condition->second.strain != 0.0 &&
-          condition->second.curve.is_load())) {
-      findings.add(where + "Against", "\"" + p.condition +
-                                          "\" has no Strain that grows with the load; admissible: "
-                                          "Time");
+        (strain_between_faces(start.parameters, condition->second) == 0.0 ||
+         !condition->second.curve.is_load())) {
+      findings.add(where + "Against",
+                   "\"" + p.condition +
+                       "\" has no Strain that grows with the load, or the opposite face moves by "
+                       "other values; admissible: Time");
       continue;
     }
     Reaction reaction{p.condition, static_cast<std::size_t>(condition - conditions.begin()),

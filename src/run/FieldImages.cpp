@@ -77,7 +77,7 @@ voxels::IntensityVolume FieldImages::read(const std::string& where,
     const std::string what = error.what();
     throw base::InputError(what.rfind(where, 0) == 0 ? what : where + ": " + what);
   }
-  seen_.add(where, found);
+  seen_->add(where, found);
   volume.voxel_size = image_->labels.voxel_size;
   return volume;
 }

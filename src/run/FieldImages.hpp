@@ -28,9 +28,14 @@ class FieldImages {
   /// \param deck          it names the images
   /// \param image         the specimen's; it and the particles' voxels must stay
   /// \param particles     where they lie in it
+  /// \param seen          gets the images that are read; it must stay
   FieldImages(const base::Communicator& communicator, const Deck& deck, const SpecimenImage& image,
-              const particles::ParticleVoxels& particles)
-      : communicator_(communicator), deck_(&deck), image_(&image), particles_(&particles) {}
+              const particles::ParticleVoxels& particles, ReadImages& seen)
+      : communicator_(communicator),
+        deck_(&deck),
+        image_(&image),
+        particles_(&particles),
+        seen_(&seen) {}
 
   /// (particle) the intensity of its voxel.
   /// \param where      the deck's section that asks
@@ -42,8 +47,6 @@ class FieldImages {
   std::vector<image::Orientation> directions(const std::string& where,
                                              const material::DirectionsFromImage& from,
                                              const std::vector<bool>& counts);
-  /// What was read so far, beside the specimen's image.
-  const ReadImages& seen() const { return seen_; }
 
  private:
   voxels::IntensityVolume read(const std::string& where, const material::FieldImage& image);
@@ -65,7 +68,7 @@ class FieldImages {
   const SpecimenImage* image_;
   const particles::ParticleVoxels* particles_;
   std::map<Key, std::vector<double>> known_;
-  ReadImages seen_;
+  ReadImages* seen_;
 };
 
 }  // namespace stroma

@@ -2,6 +2,7 @@
 
 #include "run/LoadNotes.hpp"
 
+#include "run/MovingSupports.hpp"
 #include "stroma/base/Log.hpp"
 
 namespace stroma {
@@ -18,6 +19,12 @@ std::vector<std::string> load_notes(const DeckParameters& p, std::int64_t slices
           "Boundary Conditions|%s: Strain = %g is %g %% of the body's length; it is a share, not in "
           "per cent",
           of, *condition.strain, 100.0 * *condition.strain));
+    const double between = strain_between_faces(p, condition);
+    if (between != 0.0 && between != *condition.strain && mechanics::is_upper(*condition.face))
+      notes.push_back(format(
+          "Boundary Conditions|%s: the opposite face has Strain, too: %g in all between them, "
+          "which is what forces are drawn against",
+          of, between));
     if (condition.imposed_by == mechanics::ImposedBy::grip)
       notes.push_back(format(
           "Boundary Conditions|%s: a Grip holds a layer of one to two elements, and Strain is "

@@ -12,7 +12,8 @@
 
 namespace stroma {
 
-/// A note for each strain of 100 % and more (per cent instead of shares), grip that strains (it takes
+/// A note for each strain of 100 % and more (per cent instead of shares), pair of opposite faces that
+/// both strain the body, grip that strains (it takes
 /// of the length that is strained), traction on what a condition holds on the same face (it goes into
 /// the support), and for the one slice of a sheet, or the several of plane strain.
 /// \param slices  of the image

@@ -20,6 +20,12 @@ namespace stroma {
 std::vector<output::MovingSupport> moving_supports(const DeckParameters& parameters,
                                                    const std::array<double, 3>& length);
 
+/// Strain of the body at a load factor of 1 between the face of a condition with Strain and the opposite
+/// one: the sum of both conditions' Strain, where the opposite face has one that grows likewise. 0 where
+/// it is not known: without Strain, or when the opposite face moves along the axis by other values.
+double strain_between_faces(const DeckParameters& parameters,
+                            const mechanics::BoundaryCondition& condition);
+
 /// What the columns of history.csv are named after.
 output::HistoryNames history_names(const DeckParameters& parameters);
 

@@ -101,6 +101,38 @@ json described_shears(const DeckParameters& parameters, const std::array<double,
   return shears;
 }
 
+/// By how much a body is stretched between faces that move along one axis in proportion to the load, if
+/// that is all that strains it; else null.
+json described_stretch(const DeckParameters& parameters, const std::array<double, 3>& length) {
+  const auto& conditions = parameters.boundary_conditions.conditions;
+  const auto& materials = parameters.materials.materials;
+  if (!parameters.external_forces.forces.empty() ||
+      std::any_of(materials.begin(), materials.end(), [](const auto& named) {
+        return named.second.active_stress || named.second.growth ||
+               material::is_pressure(named.second);
+      }))
+    return nullptr;
+  std::optional<int> axis;
+  double strain = 0.0;
+  for (const auto& [name, condition] : conditions) {
+    if (condition.images || condition.rotation || condition.displacement_gradient) return nullptr;
+    if (condition.loaded_component(length) < 0) continue;
+    if (condition.face == Face::all || !condition.curve.is_load()) return nullptr;
+    const int along = mechanics::axis_of(*condition.face);
+    if (axis && along != *axis) return nullptr;
+    axis = along;
+    for (int c = 0; c < 3; ++c) {
+      const double moved = condition.prescribes(c) ? condition.full(c, {}, {}, length) : 0.0;
+      if (c == along)
+        strain += (mechanics::is_upper(*condition.face) ? moved : -moved) /
+                  length[static_cast<std::size_t>(c)];
+      else if (moved != 0.0)
+        return nullptr;
+    }
+  }
+  return axis && strain != 0.0 ? json{{"axis", *axis}, {"strain", strain}} : json(nullptr);
+}
+
 /// What the page has to know of the faces that turn.
 json described_turns(const DeckParameters& parameters) {
   json turns = json::array();
@@ -137,6 +169,7 @@ json data_of(const Deck& deck, const output::RunFiles& files,
   data["supports"] = described_supports(p, length);
   data["shears"] = described_shears(p, length);
   data["walls"] = described_walls(p, length);
+  data["stretch"] = data["maps"].is_null() ? json(nullptr) : described_stretch(p, length);
   data["tables"] = json::object();
   for (const std::string& table : output::table_files()) {
     const std::string text = base::file_content(files.file(table));

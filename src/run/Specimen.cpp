@@ -10,6 +10,7 @@
 #include "run/MeasuredFields.hpp"
 #include "run/MemoryEstimate.hpp"
 #include "run/OwnNumbers.hpp"
+#include "run/ResolutionNotes.hpp"
 #include "run/WithoutEffect.hpp"
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
@@ -80,27 +81,6 @@ std::string crossing_note(const mechanics::GridParameters& p) {
   if (!p.reset || p.shape_functions != shape::ShapeFunctions::linear) return "";
   return "Shape Functions = Linear on a grid that is reset: where particles cross the faces of "
          "elements, forces fall by some per cent and stresses scatter; GIMP and CPDI do without";
-}
-
-/// Splines have more functions across a body than elements: with fewer particles there is a motion
-/// that strains none of them.
-std::vector<std::string> few_particles_notes(const shape::ShapeKind& kind,
-                                             const Specimen& specimen) {
-  std::vector<std::string> notes;
-  if (kind.width < 4) return notes;  // no spline
-  const grid::Grid& body = specimen.body;
-  for (std::size_t d = 0; d < (body.flat ? 2 : 3); ++d) {
-    const std::int64_t functions = body.elements[d] + kind.width - 2;
-    const auto particles = static_cast<std::int64_t>(specimen.layout.half_edge[d].size());
-    if (particles < functions)
-      notes.push_back(base::format(
-          "Shape Functions = %s has %lld functions across the body along %c, but %lld particles: "
-          "the tangent may be singular, steps rejected and linear iterations many; more elements, "
-          "more particles an element or other Shape Functions help",
-          kind.name, static_cast<long long>(functions), "xyz"[d],
-          static_cast<long long>(particles)));
-  }
-  return notes;
 }
 
 /// Materials that no particle is of, as where a threshold is too high or a label another one.
@@ -185,10 +165,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   OwnNumbers own;
   ReadImages seen{image.summary.files, {}};
   if (vary) {
-    FieldImages images(communicator, deck, image, where);
+    FieldImages images(communicator, deck, image, where, seen);
     own = give_own_numbers(communicator, images, materials, particles);
-    seen.files.insert(seen.files.end(), images.seen().files.begin(), images.seen().files.end());
-    seen.notes = images.seen().notes;
   }
   const auto partition = grid::partition_for(p.grid.shape_functions, lattice);
   auto displacements = measured_displacements(communicator, deck, grid, partition, seen);
@@ -214,7 +192,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   if (!locking.empty()) specimen.notes.push_back(locking);
   const std::string crossing = crossing_note(p.grid);
   if (!crossing.empty()) specimen.notes.push_back(crossing);
-  for (std::string& note : few_particles_notes(shape::kind_of(p.grid.shape_functions), specimen))
+  for (std::string& note : resolution_notes(communicator, p, specimen, labels))
     specimen.notes.push_back(std::move(note));
   for (std::string& note : unused_materials_notes(communicator, materials, specimen.particles))
     specimen.notes.push_back(std::move(note));

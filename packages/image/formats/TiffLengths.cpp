@@ -3,6 +3,7 @@
 #include "stroma/image/formats/TiffLengths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -25,52 +26,54 @@ double length_of_pixel(double resolution, double rounding) {
   return length;
 }
 
-/// Resolutions of printers and screens are no calibration.
-void take_resolution(ImageSummary& summary, int axis, const std::optional<double>& resolution,
-                     double rounding, const std::optional<double>& scale, const std::string& unit,
-                     const std::string& place) {
-  if (!resolution || !scale) return;
-  const double per_inch = *resolution * 25400.0 / *scale;
-  const bool printer = (place != "ImageJ tags" || unit == "inch") && per_inch < 1300.0;
-  if (printer) {
+/// Units of the resolutions along x and y, by name.
+using Units = std::array<std::string, 2>;
+
+/// Resolutions of printers and screens are no calibration; one of both axes is told once.
+void take_resolutions(ImageSummary& summary, const TiffTags& tags, const Units& units,
+                      const std::string& place) {
+  const std::array<std::optional<double>, 2> resolutions{tags.pixels_per_unit_x,
+                                                         tags.pixels_per_unit_y};
+  const std::array<double, 2> roundings{tags.rounding_x, tags.rounding_y};
+  std::string told;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const std::optional<double> scale = micrometres_per(units[axis]);
+    if (!resolutions[axis] || !scale) continue;
+    const double resolution = *resolutions[axis];
+    const bool is_printers =
+        (place != "ImageJ tags" || units[axis] == "inch") && resolution * 25400.0 / *scale < 1300.0;
+    if (!is_printers) {
+      summary.voxel_size.set(static_cast<int>(axis),
+                             length_of_pixel(resolution, roundings[axis]) * *scale, place);
+      continue;
+    }
     const std::string note =
-        format("%g pixels per %s is a printer's or a screen's resolution; not used", *resolution,
-               unit.c_str());
-    if (summary.notes.empty() || summary.notes.back() != note) summary.notes.push_back(note);
-    return;
+        format("%g pixels per %s is a printer's or a screen's resolution; not used", resolution,
+               units[axis].c_str());
+    if (note != told) summary.notes.push_back(note);
+    told = note;
   }
-  summary.voxel_size.set(axis, length_of_pixel(*resolution, rounding) * *scale, place);
 }
 
 }  // namespace
 
 void take_resolution_lengths(ImageSummary& summary, const TiffTags& tags) {
   if (tags.resolution_unit == RESUNIT_NONE) return;
-  const bool inch = tags.resolution_unit == RESUNIT_INCH;
-  const std::optional<double> scale = inch ? 25400.0 : 1e4;
-  const char* unit = inch ? "inch" : "cm";
-  take_resolution(summary, 0, tags.pixels_per_unit_x, tags.rounding_x, scale, unit,
-                  "TIFF resolution tags");
-  take_resolution(summary, 1, tags.pixels_per_unit_y, tags.rounding_y, scale, unit,
-                  "TIFF resolution tags");
+  const std::string unit = tags.resolution_unit == RESUNIT_INCH ? "inch" : "cm";
+  take_resolutions(summary, tags, {unit, unit}, "TIFF resolution tags");
 }
 
 void take_imagej_lengths(ImageSummary& summary, const TiffTags& tags,
                          const ImageJDescription& imagej) {
-  const auto scale = micrometres_per(imagej.unit);
-  if (!scale) {
+  if (!micrometres_per(imagej.unit)) {
     if (!imagej.unit.empty() && imagej.unit != "pixel" && imagej.unit != "pixels")
       summary.notes.push_back("ImageJ's unit \"" + imagej.unit +
                               "\" is no unit of length known here; not used");
     take_resolution_lengths(summary, tags);
     return;
   }
-  take_resolution(summary, 0, tags.pixels_per_unit_x, tags.rounding_x, scale, imagej.unit,
-                  "ImageJ tags");
-  const auto y_scale = micrometres_per(imagej.y_unit);
-  take_resolution(summary, 1, tags.pixels_per_unit_y, tags.rounding_y, y_scale, imagej.y_unit,
-                  "ImageJ tags");
-  if (!y_scale)
+  take_resolutions(summary, tags, {imagej.unit, imagej.y_unit}, "ImageJ tags");
+  if (!micrometres_per(imagej.y_unit))
     summary.notes.push_back("ImageJ's unit along y, \"" + imagej.y_unit +
                             "\", is no unit of length known here; not used");
   // ImageJ leaves the spacing out where it is 1.

@@ -31,30 +31,26 @@ std::array<double, 2> range(const base::Communicator& communicator,
   return {low, high};
 }
 
+/// The bin of a value in the range.
+std::size_t bin_of(const Histogram& histogram, double value) {
+  return static_cast<std::size_t>(std::clamp((value - histogram.first_edge) / histogram.width, 0.0,
+                                             static_cast<double>(histogram.counts.size() - 1)));
+}
+
 Histogram counted(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                   double first_edge, double width, std::int64_t bins, bool levels) {
   Histogram histogram{first_edge, width, levels,
                       std::vector<std::int64_t>(static_cast<std::size_t>(bins), 0)};
-  const auto bin_of = [&](double value) {
-    return static_cast<std::size_t>(
-        std::clamp((value - first_edge) / width, 0.0, static_cast<double>(bins - 1)));
-  };
-  for (const double value : volume.values) ++histogram.counts[bin_of(value)];
+  for (const double value : volume.values) ++histogram.counts[bin_of(histogram, value)];
   communicator.sum_all(histogram.counts.data(), histogram.counts.size());
-  if (levels) return histogram;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  histogram.lowest.assign(histogram.counts.size(), infinity);
-  histogram.highest.assign(histogram.counts.size(), -infinity);
-  for (const double value : volume.values) {
-    const std::size_t bin = bin_of(value);
-    histogram.lowest[bin] = std::min(histogram.lowest[bin], value);
-    histogram.highest[bin] = std::max(histogram.highest[bin], value);
-  }
-  MPI_Allreduce(MPI_IN_PLACE, histogram.lowest.data(), static_cast<int>(bins), MPI_DOUBLE, MPI_MIN,
-                communicator.raw());
-  MPI_Allreduce(MPI_IN_PLACE, histogram.highest.data(), static_cast<int>(bins), MPI_DOUBLE, MPI_MAX,
-                communicator.raw());
   return histogram;
+}
+
+Histogram in_equal_bins(const base::Communicator& communicator,
+                        const voxels::IntensityVolume& volume, double low, double high, int bins) {
+  const double width =
+      high > low ? std::max((high - low) / bins, std::numeric_limits<double>::min()) : 1.0;
+  return counted(communicator, volume, low, width, bins, false);
 }
 
 }  // namespace
@@ -106,15 +102,26 @@ Histogram histogram(const base::Communicator& communicator, const voxels::Intens
   if (type.is_integer() && high - low < static_cast<double>(most_levels))
     return counted(communicator, volume, low - 0.5, 1.0, static_cast<std::int64_t>(high - low) + 1,
                    true);
-  return equal_bins(communicator, volume, bins);
+  return in_equal_bins(communicator, volume, low, high, bins);
 }
 
-Histogram equal_bins(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
-                     int bins) {
+Histogram histogram_with_extremes(const base::Communicator& communicator,
+                                  const voxels::IntensityVolume& volume, int bins) {
   const auto [low, high] = range(communicator, volume);
-  const double width =
-      high > low ? std::max((high - low) / bins, std::numeric_limits<double>::min()) : 1.0;
-  return counted(communicator, volume, low, width, bins, false);
+  Histogram histogram = in_equal_bins(communicator, volume, low, high, bins);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  histogram.lowest.assign(histogram.counts.size(), infinity);
+  histogram.highest.assign(histogram.counts.size(), -infinity);
+  for (const double value : volume.values) {
+    const std::size_t bin = bin_of(histogram, value);
+    histogram.lowest[bin] = std::min(histogram.lowest[bin], value);
+    histogram.highest[bin] = std::max(histogram.highest[bin], value);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, histogram.lowest.data(), bins, MPI_DOUBLE, MPI_MIN,
+                communicator.raw());
+  MPI_Allreduce(MPI_IN_PLACE, histogram.highest.data(), bins, MPI_DOUBLE, MPI_MAX,
+                communicator.raw());
+  return histogram;
 }
 
 double otsu_threshold(const Histogram& histogram) {

@@ -22,7 +22,7 @@ struct Histogram {
   double width = 1.0;
   bool levels = false;               ///< one bin per integer level, the level at the bin's centre
   std::vector<std::int64_t> counts;  ///< of all ranks
-  std::vector<double> lowest = {}, highest = {};  ///< (bin) of its values; empty for levels
+  std::vector<double> lowest = {}, highest = {};  ///< (bin) of its values, or empty
 
   double center(std::size_t bin) const {
     return first_edge + (static_cast<double>(bin) + 0.5) * width;
@@ -64,9 +64,11 @@ Statistics statistics(const base::Communicator& communicator,
 Histogram histogram(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
                     const ValueType& type, int bins = 256);
 
-/// Equal bins between the smallest and the largest value, whatever the type. Collective.
-Histogram equal_bins(const base::Communicator& communicator, const voxels::IntensityVolume& volume,
-                     int bins);
+/// Equal bins between the smallest and the largest value, whatever the type, and the extremes of
+/// each bin. Collective.
+/// \throws base::InputError when a value is not finite
+Histogram histogram_with_extremes(const base::Communicator& communicator,
+                                  const voxels::IntensityVolume& volume, int bins);
 
 /// Otsu's threshold: the bin centre t that maximises the variance between the classes I <= t
 /// and I > t,
@@ -81,6 +83,7 @@ double otsu_threshold(const Histogram& histogram);
 /// The value below which the given percentage of the voxels lies, linear between neighbouring order
 /// statistics (the convention of most numerical libraries). Exact for levels, else between the values
 /// of a bin.
+/// \param histogram  of levels, or with extremes
 double percentile(const Histogram& histogram, double percent);
 
 /// Fraction of the voxels with a value > threshold. Collective.

@@ -140,6 +140,32 @@ TEST(Report, OfARigKnowsWhatItAsksFor) {
   }
 }
 
+// V-REPORT. The strain of a body that both of its ends pull is theirs together, one that is given by a
+// displacement is found, and one that is pulled by a force is not compared with bounds.
+TEST(Report, BoundsAreForTheStrainBetweenTheFaces) {
+  SKIP_WITHOUT_BROWSER();
+  const struct {
+    std::string bottom, top, more, says;
+  } cases[] = {
+      {", Strain: -0.02", "Strain: -0.03", "", "'between Reuss' 'Force against strain'"},
+      {"", "'Displacement [um]': [0, -0.6, 0]", "", "'between Reuss' 'Force against displacement'"},
+      {"", "Strain: -0.05", "  External Forces: {wind: {Face: x+, 'Traction [Pa]': [0, 5, 0]}}\n",
+       "'!Bounds: force'"}};
+  for (const auto& one : cases) {
+    const TemporaryFolder folder;
+    std::string deck = capillaries(one.more);
+    const auto put = [&](const std::string& old, const std::string& text) {
+      deck.replace(deck.find(old), old.size(), text);
+    };
+    put("Components: xyz}", "Components: y" + one.bottom + "}");
+    put("Components: xyz, Strain: -0.05", "Components: y, " + std::string(one.top));
+    folder.write("deck.yaml", deck);
+    const Outcome outcome = run_stroma(folder.path(), "run deck.yaml -o run --quiet");
+    ASSERT_EQ(outcome.status, 0) << outcome.standard_error;
+    EXPECT_EQ(wrong(folder, "says run " + one.says), "") << one.top;
+  }
+}
+
 // V-REPORT
 TEST(Report, OfAPressureShowsItAgainstTheVolume) {
   SKIP_WITHOUT_BROWSER();

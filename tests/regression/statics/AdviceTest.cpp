@@ -140,6 +140,21 @@ TEST(Advice, MaterialsWithoutAParticleAreNoted) {
   }
 }
 
+// A ball of 2 um in radius in elements of 2 um: its chords are 4/3 of the radius on the average.
+TEST(Advice, FewElementsAcrossAMaterialAreNoted) {
+  const auto said = [&](const std::string& settings, const std::string& command) {
+    return run_case("false_convergence/base.yaml", settings, 1, command).standard_output;
+  };
+  const std::string note = "note: few elements across ball: from wall to wall on the average ";
+  for (const char* command : {"check ", "run "}) {
+    const std::string coarse = said("", command);
+    EXPECT_NE(coarse.find(note), std::string::npos) << coarse;
+    EXPECT_EQ(coarse.find("few elements across matrix"), std::string::npos) << coarse;
+    const std::string fine = said(" --set 'Grid|Elements=[8, 8, 8]'", command);
+    EXPECT_EQ(fine.find(note), std::string::npos) << fine;
+  }
+}
+
 TEST(Advice, LoadsThatAreOftenNotMeantAreNoted) {
   const auto is_noted = [&](const std::string& settings, const std::string& what,
                             const std::string& command = "check ") {
@@ -154,6 +169,10 @@ TEST(Advice, LoadsThatAreOftenNotMeantAreNoted) {
   const std::string grip = "Boundary Conditions|top: a Grip holds a layer";
   EXPECT_TRUE(is_noted(" --set 'Boundary Conditions|top|Imposed By=Grip'", grip));
   EXPECT_FALSE(is_noted("", grip));
+  const std::string both =
+      "Boundary Conditions|top: the opposite face has Strain, too: 0.15 in all";
+  EXPECT_TRUE(is_noted(" --set 'Boundary Conditions|bottom|Strain=0.05'", both));
+  EXPECT_FALSE(is_noted(" --set 'Boundary Conditions|bottom|Displacement [um]=[0, 1, 0]'", both));
   const auto pulled_along = [&](const std::string& components, const std::string& traction) {
     const TemporaryFolder folder;
     std::string text = content_of(clone_folder() / "tests/data/cases/false_convergence/base.yaml");

@@ -105,14 +105,14 @@ TEST(Histogram, FloatsGet256EqualBins) {
 TEST(Histogram, PercentilesOfFloatsLieBetweenValuesOfTheirBin) {
   const base::Communicator world = base::Communicator::world();
   const IntensityVolume mask = volume_of({8, 8, 8}, [](auto i) { return i % 10 == 0 ? 1.0 : 0.0; });
-  const image::Histogram histogram = image::equal_bins(world, mask, 65536);
+  const image::Histogram histogram = image::histogram_with_extremes(world, mask, 65536);
   for (const double percent : {0.0, 5.0, 50.0, 89.0})
     EXPECT_EQ(image::percentile(histogram, percent), 0.0) << percent;
   for (const double percent : {91.0, 99.9, 100.0})
     EXPECT_EQ(image::percentile(histogram, percent), 1.0) << percent;
   const IntensityVolume even =
       volume_of({8, 8, 8}, [](auto i) { return 0.25 + static_cast<double>(i); });
-  const image::Histogram few = image::equal_bins(world, even, 7);
+  const image::Histogram few = image::histogram_with_extremes(world, even, 7);
   for (const double percent : {0.0, 12.5, 50.0, 99.9, 100.0})
     EXPECT_NEAR(image::percentile(few, percent), 0.25 + 5.11 * percent, 1e-9);
 }

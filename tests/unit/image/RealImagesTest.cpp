@@ -67,7 +67,7 @@ void expect_figures(const voxels::IntensityVolume& volume, const image::ValueTyp
   EXPECT_EQ(threshold, f.otsu);
   const double fraction = image::fraction_above(world(), volume, threshold);
   EXPECT_EQ(std::llround(fraction * static_cast<double>(volume.voxels())), f.above);
-  const double equal = image::otsu_threshold(image::equal_bins(world(), volume, 256));
+  const double equal = image::otsu_threshold(image::histogram_with_extremes(world(), volume, 256));
   EXPECT_NEAR(equal, f.otsu_256, 6e-6 * f.otsu_256 + 5e-4);
   EXPECT_NEAR(image::fraction_above(world(), volume, equal), f.fraction_256, 6e-7);
   const voxels::LabelVolume labels = image::threshold_labels(volume, threshold);

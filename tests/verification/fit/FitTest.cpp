@@ -146,6 +146,31 @@ TEST(Fit, FindsItByDifferences) {
   expect_that_it_finds_the_vessels(1, "  Gradient: Differences\n", 9);
 }
 
+// A run of one moving end, fitted by runs of two, each of which moves half the way.
+TEST(Fit, StrainIsThatBetweenBothFaces) {
+  const TemporaryFolder folder;
+  write_forces(folder, run_deck(folder, "slice", slice), 0.10);
+  std::string both = slice;
+  const auto put = [&](const std::string& old, const std::string& text) {
+    both.replace(both.find(old), old.size(), text);
+  };
+  put("Components: y}", "Components: y, Strain: 0.07}");
+  put("Strain: 0.10", "Strain: 0.03");
+  folder.write("both.yaml", both);
+  folder.write("fit.yaml", fit_of("both.yaml", number("vessel", vessel, "Start: 600, Lower: 1")));
+  const Outcome outcome = run_stroma(folder.path(), "fit fit.yaml");
+  ASSERT_EQ(outcome.status, 0) << outcome.standard_output << outcome.standard_error;
+  EXPECT_NEAR(estimate_of(folder, "fit", 2), 1041.6, 1e-4 * 1041.6) << outcome.standard_output;
+
+  put("Strain: 0.07", "'Displacement [um]': [0, -4.7, 0]");
+  folder.write("both.yaml", both);
+  const Outcome unknown = run_stroma(folder.path(), "fit fit.yaml -o unknown");
+  EXPECT_EQ(unknown.status, 2) << unknown.standard_output;
+  EXPECT_NE(unknown.standard_error.find("or the opposite face moves by other values"),
+            std::string::npos)
+      << unknown.standard_error;
+}
+
 /// Its force was made with 1041.6 Pa, and 1 % of noise.
 TEST(Fit, ExampleTellsTheModulus) {
   const TemporaryFolder folder;

@@ -122,12 +122,11 @@ class Maps {
   async begin() {
     if (typeof DecompressionStream === "undefined") {
       this.out.textContent = "This browser is too old to show the maps: it lacks DecompressionStream.";
-      return false;
+      return;
     }
     await this.draw();
     let width = window.innerWidth;
     window.addEventListener("resize", () => { if (window.innerWidth !== width) { width = window.innerWidth; this.draw(); } });
-    return true;
   }
 
   height(z) { return this.maps.origin[2] + (z + 0.5) * this.maps.cell[2]; }
@@ -230,20 +229,4 @@ class Maps {
     maps.fields.forEach((field, f) => parts.push([(fieldNames[field.name] || field.name).toLowerCase(), withUnit(fields[f](cell), field.unit)]));
     this.out.replaceChildren(...parts.map(([name, value]) => h("span", {}, `${name} `, h("b", {}, value))));
   }
-}
-
-/** Mean length of the straight ways through each material along x, y, z [um]: from wall to wall. */
-function meanChords(material, maps) {
-  const [nx, ny, nz] = maps.count, cells = maps.materials.map(() => 0), ends = maps.materials.map(() => [0, 0, 0]);
-  for (let k = 0, c = 0; k < nz; ++k)
-    for (let j = 0; j < ny; ++j)
-      for (let i = 0; i < nx; ++i, ++c) {
-        const m = material[c];
-        if (m === 0) continue;
-        ++cells[m - 1];
-        if (i + 1 === nx || material[c + 1] !== m) ++ends[m - 1][0];
-        if (j + 1 === ny || material[c + nx] !== m) ++ends[m - 1][1];
-        if (k + 1 === nz || material[c + nx * ny] !== m) ++ends[m - 1][2];
-      }
-  return ends.map((of, m) => of.map((n, d) => (n === 0 ? NaN : (cells[m] / n) * maps.cell[d])));
 }

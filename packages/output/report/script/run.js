@@ -70,7 +70,7 @@ function checksSection(history, log) {
   checkLastStep(history, x, tell);
   for (const text of log.errors) tell("look", text.replace(/^stroma: /, ""));
   tellNotes(log, tell);
-  return { element: section("checks", "What to know of this run", list), tell };
+  return section("checks", "What to know of this run", list);
 }
 
 /** Whether a body in motion keeps its energy. */
@@ -104,14 +104,13 @@ function modulusAlong(axis, bounds) {
   return { name: "K + 4/3 mu, of a body that cannot widen", of: (G, K) => K + (4 / 3) * G };
 }
 
-/** Whether the stiffness at small strain lies between the bounds for a body between plane grips that move along one axis. */
+/** Whether the stiffness at small strain lies between the bounds, for a body that is stretched between faces and not loaded otherwise. */
 function checkBounds(history, log, tell) {
-  const bounds = boundsTable(log.bounds), support = data.supports[0];
-  if (bounds.length !== 3 || !support || !support.strain || !support.follows_load || data.has_time || history.rows.length < 3) return;
-  const axis = support.displacement.findIndex((part) => part !== 0), area = data.length.reduce((product, edge, d) => (d === axis ? product : product * edge), 1);
-  if (data.supports.some(({ displacement }) => displacement.some((part, d) => d !== axis && part !== 0))) return;
-  const force = forceAlong(support, history), load = history.column("load");
-  const secant = (s) => force[s] / (area * Math.abs(support.strain) * load[s]);
+  const bounds = boundsTable(log.bounds);
+  if (bounds.length !== 3 || !data.stretch || data.has_time || history.rows.length < 3) return;
+  const { axis, strain } = data.stretch, area = data.length.reduce((product, edge, d) => (d === axis ? product : product * edge), 1);
+  const force = forceAlong(data.supports[0], history), load = history.column("load");
+  const secant = (s) => force[s] / (area * Math.abs(strain) * load[s]);
   const small = secant(1) + ((secant(1) - secant(2)) * load[1]) / (load[2] - load[1]); // at no strain, by the first two steps
   const modulus = modulusAlong(axis, bounds), [reuss, voigt] = [1, 4].map((kind) => modulus.of(...bounds.map((row) => parseFloat(row[kind])))), { name } = modulus;
   data.small_strain = `Force per area and strain of this run, at small strain: ${short(small)} Pa. By Reuss ${short(reuss)} Pa, by Voigt ${short(voigt)} Pa, for ${name}.`;
@@ -120,17 +119,6 @@ function checkBounds(history, log, tell) {
   else if (small > 1.01 * voigt && data.holds_sideways) tell("note", `Bounds: force per area and strain is ${where}, above Voigt's bound, ${short(voigt)} Pa, for ${name}, which is one for rollers: grips that hold sideways stiffen a body.`);
   else if (small > 1.01 * voigt) tell("look", `Bounds: force per area and strain is ${where}, above Voigt's bound, ${short(voigt)} Pa, for ${name}.`);
   else tell("good", `Bounds: force per area and strain is ${where}, between Reuss (${short(reuss)} Pa) and Voigt (${short(voigt)} Pa) for ${name}.`);
-}
-
-/** Few elements across a material: told once the map of materials is unpacked. */
-async function checkWidths(maps, log, tell) {
-  if (!maps || !log.elements || maps.materials.length < 2 || maps.merged.some((n) => n > 1)) return;
-  const chords = meanChords(await bytesOf("map-material"), maps), volume = (m) => chords[m].every(Number.isFinite);
-  maps.materials.forEach((name, m) => {
-    if (!volume(m)) return;
-    const across = [0, 1, 2].filter((d) => maps.count[d] > 1).map((d) => chords[m][d] / log.elements[d]), least = Math.min(...across);
-    if (least < 2) tell("look", `Few elements across ${name}: its straight chords are ${across.map((n) => short(n, 2)).join(" × ")} elements long on the average; 2 or more resolve bending.`);
-  });
 }
 
 function boundsSection(log) {
@@ -158,7 +146,7 @@ function provenanceSection(log) {
 function showRun(main) {
   const history = new Table(data.history), log = readLog(data.log);
   document.getElementById("subtitle").textContent = data.folder;
-  const checks = checksSection(history, log);
+  const checks = checksSection(history, log); // first: it finds the stiffness that the bounds' section tells
   main.append(overview(history, log));
   let maps = null;
   if (data.maps) {
@@ -167,11 +155,11 @@ function showRun(main) {
   } else main.append(section("maps", "Specimen, stress and strain", h("p", { class: "note" }, "There is no particles.e in the folder, of which maps could be made.")));
   const missing = ["histograms.csv", "wall_distance.csv", "objects.csv"].filter((name) => !data.tables[name]);
   const pair = (...sections) => h("div", { class: "sections-pair" }, sections.filter((one) => one !== null));
-  const parts = [checks.element, pair(torqueSection(history), forceSection(history), energySection(history), pressureSection(history), costSection(history, log)),
+  const parts = [checks, pair(torqueSection(history), forceSection(history), energySection(history), pressureSection(history), costSection(history, log)),
     pair(histogramSection(), wallSection()), objectsSection(), boundsSection(log), provenanceSection(log),
     missing.length > 0 ? h("p", { class: "note" }, `Not in the folder, so not in this report: ${missing.join(", ")}.`) : null];
   main.append(...parts.filter((part) => part !== null));
   return async () => {
-    if (maps && (await maps.begin())) await checkWidths(data.maps, log, checks.tell);
+    if (maps) await maps.begin();
   };
 }

@@ -53,7 +53,7 @@ function stiffnessChecks(log) {
     if (one["symmetry error"] > 1e-6) tell("note", `${name} departs from symmetry by ${percent(one["symmetry error"], 2)}: the specimen is not its own mirror image. The symmetric part is shown.`);
   }
   tellNotes(log, tell);
-  return { element: section("checks", "What to know of this stiffness", list), tell };
+  return section("checks", "What to know of this stiffness", list);
 }
 
 function specimenFacts(log) {
@@ -170,9 +170,9 @@ function showStiffness(main) {
   document.getElementById("subtitle").textContent = `${data.folder}: the stiffness of a specimen as a whole, in small strain`;
   const pair = (...sections) => h("div", { class: "sections-pair" }, sections.filter((one) => one !== null));
   const specimen = maps ? maps.element(specimenFacts(log)) : [specimenFacts(log), h("p", { class: "note" }, typeof data.image === "string" ? data.image : "There is no image.")];
-  const parts = [stiffnessTiles(), section("maps", "Specimen", specimen), checks.element, directionSection(), tensorSection(), pair(moduliSection(), boundaryOrder()), casesSection(log), provenanceSection(log)];
+  const parts = [stiffnessTiles(), section("maps", "Specimen", specimen), checks, directionSection(), tensorSection(), pair(moduliSection(), boundaryOrder()), casesSection(log), provenanceSection(log)];
   main.append(...parts.filter((part) => part !== null));
   return async () => {
-    if (maps && (await maps.begin())) await checkWidths(data.maps, log, checks.tell);
+    if (maps) await maps.begin();
   };
 }
