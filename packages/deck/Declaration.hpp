@@ -73,6 +73,8 @@ struct Declaration {
   std::vector<FreeListDeclaration> free_lists;
   std::optional<NamedDeclaration> named;
   std::vector<std::function<void(const void* values, Findings&)>> rules;
+  /// What to tell of parameters that do not exist: how their names begin, and what stands for them.
+  std::vector<std::pair<std::string, std::string>> substitutes;
   std::shared_ptr<const void> defaults;  ///< T{}
 
   /// \throws std::logic_error  the name is declared already: a mistake of the programmer

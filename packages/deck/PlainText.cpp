@@ -48,8 +48,11 @@ std::string unwritable(const std::string& text) {
     const std::size_t length = length_of_character(text, at);
     if (length == 0) {
       const auto byte = static_cast<unsigned char>(text[at]);
+      const bool is_no_character = text.compare(at, 3, "\xEF\xBF\xBE") == 0 ||
+                                   text.compare(at, 3, "\xEF\xBF\xBF") == 0;  // U+FFFE, U+FFFF
       const char* const what = byte == '\n' || byte == '\r' ? "a line break"
                                : byte < 0x20                ? "a control character"
+                               : is_no_character            ? "a character that XML does not admit"
                                                             : "bytes that are not UTF-8";
       return "\"" + printable(text) + "\" holds " + what +
              "; admissible: one line of text, in UTF-8";

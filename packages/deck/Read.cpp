@@ -198,8 +198,7 @@ class Reader {
         findings.add(given.line, given.name,
                      "no such parameter; this section holds sublists only, named by you");
       } else {
-        findings.add(given.line, given.name,
-                     "no such parameter; " + advice(given.name, parameters));
+        findings.add(given.line, given.name, "no such parameter; " + advice(given.name, section));
       }
     }
     for (const tree::List& given : list.lists) {
@@ -209,8 +208,11 @@ class Reader {
     }
   }
 
-  /// The nearest name of this section, or the section that the name belongs to.
-  std::string advice(const std::string& name, const std::vector<std::string>& known) const {
+  /// What stands for it, the nearest name of this section, or the section that the name belongs to.
+  std::string advice(const std::string& name, const Declaration& section) const {
+    for (const auto& [begins, instead] : section.substitutes)
+      if (name.compare(0, begins.size(), begins) == 0) return instead;
+    const std::vector<std::string> known = parameter_names(section);
     if (!nearest(name, known).empty()) return suggestion(name, known);
     const std::string home = home_of(name, root_, "");
     return home.empty() ? suggestion(name, known) : "it belongs in " + home;

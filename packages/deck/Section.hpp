@@ -166,6 +166,14 @@ class Section {
     return *this;
   }
 
+  /// A parameter of other programs that does not exist here.
+  /// \param begins   how its name begins
+  /// \param instead  what stands for it
+  Section& substitute(std::string begins, std::string instead) {
+    declaration_.substitutes.emplace_back(std::move(begins), std::move(instead));
+    return *this;
+  }
+
   /// A rule between several parameters. It runs only if everything inside the section was read.
   Section& check(std::function<void(const T&, Findings&)> rule) {
     declaration_.rules.push_back([rule = std::move(rule)](const void* values, Findings& findings) {

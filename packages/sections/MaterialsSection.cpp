@@ -35,6 +35,10 @@ void declare_model(deck::Section<MaterialParameters>& material) {
                     deck::strictly_between(-1.0, 0.5),
                     "Poisson's ratio nu of small strain, in place of a model's Bulk Modulus [Pa] "
                     "or Lame Modulus [Pa].");
+  for (const char* name : {"Young", "E [Pa]"})
+    material.substitute(name,
+                        "of Young's modulus E and Poisson's ratio nu: Shear Modulus [Pa] = E / (2 "
+                        "(1 + nu)), and Poisson Ratio");
 }
 
 /// What a model makes of the numbers that a material gives.

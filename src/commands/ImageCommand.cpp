@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <optional>
 
@@ -49,6 +50,17 @@ void print_summary(const image::ImageSummary& summary, base::Log& log) {
     log.line(format("frames       %lld; frame %lld is shown", printable(summary.frames),
                     printable(summary.frame)));
   for (const std::string& note : summary.notes) log.note(note);
+}
+
+/// A message in the words of a deck, in those of the command line.
+std::string with_options(std::string message) {
+  for (const auto& [deck, option] :
+       {std::pair("Image|Dataset", "--dataset"), std::pair("Image|Channel", "--channel"),
+        std::pair("Image|Frame", "--frame"),
+        std::pair("from the deck is used", "by --voxel is used")})
+    for (std::size_t at = 0; (at = message.find(deck, at)) != std::string::npos;)
+      message.replace(at, std::strlen(deck), option);
+  return message;
 }
 
 /// At most 16 bars over the range; the longest stands for the fullest, on a scale of logarithms,
@@ -164,7 +176,15 @@ int image_command(const base::Communicator& communicator, const ImageOptions& op
   parameters.frame = options.frame;
   parameters.voxel_size = options.voxel_size;
   image::ImageSummary summary;
-  voxels::IntensityVolume volume = image::read_volume(communicator, parameters, "", summary);
+  voxels::IntensityVolume volume;
+  try {
+    volume = image::read_volume(communicator, parameters, "", summary);
+  } catch (const base::InputError& error) {  // thrown on all ranks alike
+    throw base::InputError(with_options(error.what()));
+  }
+  for (std::string& note : summary.notes) note = with_options(note);
+  for (std::string& place : summary.voxel_size.found_in)
+    if (place == "deck") place = "--voxel";
   print_summary(summary, log);
 
   try {

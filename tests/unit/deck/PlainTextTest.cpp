@@ -24,7 +24,7 @@ TEST(PlainText, IsOneLineOfUtf8AsXmlKnowsIt) {
       {"\xC0\xAF", "\"\\xc0\\xaf\" holds bytes that are not UTF-8"}  // longer than need be
       ,
       {"\xED\xA0\x80", "\"\\xed\\xa0\\x80\" holds bytes that are not UTF-8"},  // half a pair
-      {"\xEF\xBF\xBF", "\"\\xef\\xbf\\xbf\" holds bytes that are not UTF-8"},  // U+FFFF
+      {"\xEF\xBF\xBF", "\"\\xef\\xbf\\xbf\" holds a character that XML does not admit"},  // U+FFFF
       {"\xF4\x90\x80\x80", "\"\\xf4\\x90\\x80\\x80\" holds bytes that are not UTF-8"}};
   for (const auto& [text, told] : bad)
     EXPECT_EQ(unwritable(text), std::string(told) + "; admissible: one line of text, in UTF-8");
