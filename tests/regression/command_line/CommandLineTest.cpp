@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/Places.hpp"
 #include "support/Program.hpp"
 
 namespace stroma::test {
@@ -25,6 +26,8 @@ const Mistake mistakes[] = {
     {"run deck.txt", "admissible: .xml, .yaml or .yml"},
     {"image nowhere.tif", "no such file"},
     {"image nowhere.tif --voxel 1,1,-1", "--voxel: admissible: three lengths in um, each above 0"},
+    {"image " + quoted(clone_folder() / "tests/data/cases/mask_types/bool.h5") + " --dataset a",
+     "holds no dataset \"a\" (--dataset); admissible: mask"},
     {"phantom -o vessels.png --size 8,8,8", "ends in .tif or .tiff"},
     {"phantom -o vessels.tif --size 8,8,0", "--size: admissible: three numbers of voxels"},
     {"phantom -o nowhere/vessels.tif --size 8,8,8", "there is no folder nowhere"},
