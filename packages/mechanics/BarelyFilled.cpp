@@ -3,7 +3,6 @@
 #include "stroma/mechanics/BarelyFilled.hpp"
 
 #include "stroma/base/Log.hpp"
-#include "stroma/mechanics/body/Filling.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -13,10 +12,6 @@ constexpr double firm_stabilization = 1e-3;
 /// Beside barely filled elements, those filled by so much or less are solved for together with
 /// them.
 constexpr double soft_share = 0.7;
-
-Kokkos::View<double*, grid::Device> missing_in(const MomentumBalance& balance, double share = 0.5) {
-  return missing_volume(balance.body().box(), balance.body().particles(), share);
-}
 
 /// The share of fictitious points in u . force(balance).
 template <class Force>
@@ -37,7 +32,7 @@ double share_in_work(const MomentumBalance& balance, const grid::Vector& u, cons
 }  // namespace
 
 std::int64_t count_barely_filled(const MomentumBalance& balance) {
-  const auto missing = missing_in(balance);
+  const auto missing = balance.body().missing_volume(0.5);
   std::int64_t count = 0;
   Kokkos::parallel_reduce(
       "barely filled",
@@ -61,7 +56,7 @@ Kokkos::View<std::uint8_t*, grid::Device> barely_held_elements(const MomentumBal
   if (balance.problem().method.stabilization >= firm_stabilization ||
       count_barely_filled(balance) == 0)
     return {};
-  const auto missing = missing_in(balance, soft_share);
+  const auto missing = balance.body().missing_volume(soft_share);
   const Kokkos::View<std::uint8_t*, grid::Device> held("barely held", missing.extent(0));
   Kokkos::parallel_for(
       "barely held",

@@ -58,7 +58,7 @@ deck::Section<GrowthParameters> growth_section() {
       {{"Volume", Kind::volume}, {"Fiber", Kind::fiber}, {"Area", Kind::area}},
       "F_g by the ratio g of volumes. Volume: g^(1/3) I. Fiber: I + (g - 1) N x N. Area: "
       "sqrt(g) (I - N x N) + N x N.");
-  section.required("Ratio", &GrowthParameters::ratio, deck::positive(),
+  section.required("Ratio", &GrowthParameters::ratio, deck::between(1e-5, 1e5),
                    "g at a factor of 1, from 1 at 0.");
   section.optional("Direction", &GrowthParameters::direction, deck::any(), meaning_of_direction);
   section.optional("Load Curve", &GrowthParameters::load_curve, deck::not_empty(),

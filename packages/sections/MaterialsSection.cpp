@@ -3,6 +3,7 @@
 #include "stroma/sections/MaterialsSection.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "stroma/base/Log.hpp"
@@ -58,6 +59,25 @@ void check_model(const MaterialParameters& p, deck::Findings& findings) {
   };
   refuse("shear", moduli.shear);
   refuse("bulk", moduli.bulk);
+}
+
+/// Squares and products of numbers must stay within what a double holds.
+void refuse_absurd_numbers(const MaterialParameters& p, deck::Findings& findings) {
+  const auto check = [&](const std::string& where, double number) {
+    constexpr double largest = 1e60;
+    if (std::abs(number) > largest)
+      findings.add(where, base::format("found %g, beyond what can be computed with; admissible: "
+                                       "sizes up to %g",
+                                       number, largest));
+  };
+  for (const auto& [name, number] : p.numbers) check(name, number);
+  for (const auto& [name, list] : p.lists)
+    for (const double number : list) check(name, number);
+  if (p.active_stress) check("Active Stress|T0 [Pa]", p.active_stress->t0);
+  if (!p.fibers) return;
+  for (const auto& [family, fibers] : p.fibers->families)
+    for (const auto& [name, number] : fibers.numbers)
+      check("Fibers|" + family + "|" + name, number);
 }
 
 /// Fibres have laws of their own, unless the model asks for their directions alone.
@@ -134,6 +154,7 @@ deck::Section<MaterialsParameters> materials_section() {
   material.section(active_stress_section(), &MaterialParameters::active_stress);
   material.section(growth_section(), &MaterialParameters::growth);
   material.section(material_fields_section(), &MaterialParameters::fields);
+  material.check(refuse_absurd_numbers);
   material.check(check_model);
   material.check(check_fibers);
   material.check(check_drives);

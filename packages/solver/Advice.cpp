@@ -17,17 +17,21 @@ namespace {
 
 constexpr double resolved = 1e6;  // by single precision, measured: docs/theory.md
 
-/// Of the shear moduli of the particles, on all ranks.
-double contrast(const mechanics::MomentumBalance& balance) {
+constexpr double nearly_incompressible = 1e5;  // bulk over shear modulus: nu = 0.499995
+
+/// What the moduli of the particles of all ranks tell.
+void find_contrasts(const mechanics::MomentumBalance& balance, Circumstances& known) {
   const particles::HostParticles particles = particles::on_host(balance.body().particles());
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (int p = 0; p < particles.count(); ++p) {
-    const double mu = balance.body().stress()->moduli_of(particles, p).shear;
-    least = std::min(least, mu);
-    most = std::max(most, mu);
+    const material::SmallStrainModuli moduli = balance.body().stress()->moduli_of(particles, p);
+    least = std::min(least, moduli.shear);
+    most = std::max(most, moduli.shear);
+    known.incompressibility = std::max(known.incompressibility, moduli.bulk / moduli.shear);
   }
   const base::Communicator& communicator = balance.halo().communicator();
-  return communicator.max(most) / communicator.min(least);
+  known.contrast = communicator.max(most) / communicator.min(least);
+  known.incompressibility = communicator.max(known.incompressibility);
 }
 
 }  // namespace
@@ -36,7 +40,7 @@ Circumstances circumstances(const SolverParameters& solver, const mechanics::Gri
                             const material::Compressibility& of_volume,
                             const mechanics::MomentumBalance& balance) {
   Circumstances known;
-  known.contrast = contrast(balance);
+  find_contrasts(balance, known);
   known.is_single_precision =
       takes_stencil(solver.preconditioner, balance.halo().partition().grid());
   known.barely_filled = mechanics::count_barely_filled(balance);
@@ -75,6 +79,12 @@ std::vector<std::string> advice(const Circumstances& known) {
                          "in double precision, or a lower modulus"
                        : "a lower modulus") +
                   "; from 1e6 times on, what is stiffer still changes forces by 1e-4 or less");
+  if (known.incompressibility > nearly_incompressible)
+    all.push_back(format(
+        "a bulk modulus is %.2g times the shear modulus (Poisson's ratio %.9g), and errors of "
+        "rounding grow with that: a Poisson Ratio of 0.4999 changes forces by 1e-4 or less",
+        known.incompressibility,
+        material::SmallStrainModuli{1.0, known.incompressibility}.poisson_ratio()));
   if (!known.locking.empty()) all.push_back(known.locking);
   if (known.has_free_motion)
     all.push_back("the boundary conditions leave a rigid motion free: " +

@@ -18,6 +18,7 @@ namespace stroma::solver {
 /// What may make a tangent indefinite.
 struct Circumstances {
   double contrast = 1.0;             ///< stiffest over softest shear modulus of the particles [-]
+  double incompressibility = 0.0;    ///< largest bulk over shear modulus of a particle [-]
   bool is_single_precision = false;  ///< the tangent, see takes_stencil()
   std::int64_t barely_filled = 0;    ///< elements filled by less than half
   double stabilization = 0.0;        ///< Grid|Stabilization [-]

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/BodyNotes.hpp"
 #include "run/BoundsTable.hpp"
 #include "run/MemoryEstimate.hpp"
 #include "run/Specimen.hpp"
@@ -15,7 +16,6 @@
 #include "stroma/image/labels/Objects.hpp"
 #include "stroma/image/labels/Segmentation.hpp"
 #include "stroma/image/labels/Widths.hpp"
-#include "stroma/mechanics/BarelyFilled.hpp"
 #include "stroma/solver/IterationTraffic.hpp"
 #include "stroma/solver/TrialSolve.hpp"
 
@@ -154,10 +154,7 @@ void check_command(const base::Communicator& communicator, const Deck& deck, bas
   log.line(format("unknowns    %lld", static_cast<long long>(balance.supports().unknowns())));
   log.line(format("pieces      %lld, connected through the grid",
                   static_cast<long long>(balance.supports().pieces().count)));
-  for (const std::string& note : balance.supports().notes()) log.note(note);
-  for (const std::string& note : {mechanics::barely_filled_note(balance),
-                                  solver::contrast_note(circumstances(deck, balance))})
-    if (!note.empty()) log.note(note);
+  for (const std::string& note : body_notes(deck, specimen, balance)) log.note(note);
   check_memory(communicator, deck, specimen, labels, log);
   const std::string exchange = solver::describe_traffic(communicator, specimen.partition,
                                                         deck.parameters.solver.preconditioner);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "run/BodyNotes.hpp"
 #include "run/WithoutEffect.hpp"
 #include "stroma/base/Session.hpp"
 #include "stroma/mechanics/BarelyFilled.hpp"
@@ -56,19 +57,6 @@ bool is_surely_elliptic(const Deck& deck, const mechanics::Laws& laws,
   return true;
 }
 
-/// The energy of a pressure depends on its wall alone only where particles integrate the volume of a
-/// displaced element exactly: at Gauss points.
-std::string pressure_note(const DeckParameters& p) {
-  if (p.particles.layout == particles::Layout::gauss) return "";
-  for (const auto& [name, material] : p.materials.materials)
-    if (material::is_pressure(material))
-      return "material \"" + name +
-             "\" is a pressure, and particles are not at Gauss points: nodes within it feel a force "
-             "of the quadrature, against which its solid may be too soft; Particles|Layout = Gauss "
-             "has none";
-  return "";
-}
-
 }  // namespace
 
 double RunLog::seconds() const { return MPI_Wtime() - start_; }
@@ -102,11 +90,7 @@ void RunLog::describe(const Specimen& specimen, const mechanics::MomentumBalance
   const std::string crowded = base::oversubscription(communicator_);
   if (!crowded.empty()) log_->note(crowded);
   for (const std::string& note : specimen.notes) log_->note(note);
-  for (const std::string& note : balance.supports().notes()) log_->note(note);
-  for (const std::string& note :
-       {pressure_note(deck_->parameters), mechanics::barely_filled_note(balance),
-        solver::contrast_note(circumstances(*deck_, balance))})
-    if (!note.empty()) log_->note(note);
+  for (const std::string& note : body_notes(*deck_, specimen, balance)) log_->note(note);
 }
 
 void RunLog::show_progress(const std::string& state) {

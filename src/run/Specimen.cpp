@@ -114,12 +114,12 @@ SpecimenImage read_image(const base::Communicator& communicator, const Deck& dec
         require_memory(communicator, p, found.size, body, 0.0);
       },
       material::read_the_specimens_image(p.materials.materials) ? &image.intensities : nullptr);
-  if (!has_volume_forces(p.external_forces.forces)) {  // a fragment that they load is an error
-    const grid::Grid body = body_of(p, labels.size, labels.voxel_size);
-    const std::string note =
-        image::leave_out_fragments(communicator, labels, reach_of_conditions(p, body, labels));
-    if (!note.empty()) image.summary.notes.push_back(note);
-  }
+  std::optional<image::FaceReach> reach;
+  if (!has_volume_forces(p.external_forces.forces))  // a fragment that they load is an error
+    reach = reach_of_conditions(p, body_of(p, labels.size, labels.voxel_size), labels);
+  const image::Bodies bodies = image::leave_out_fragments(communicator, labels, reach);
+  image.bodies = bodies.count;
+  if (!bodies.note.empty()) image.summary.notes.push_back(bodies.note);
   return image;
 }
 
@@ -178,6 +178,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     particles,
                     particles::layout_sizes(p.particles, grid, labels.size, labels.voxel_size),
                     particles::layout_notes(p.particles, grid, labels.size),
+                    image.bodies,
                     0,
                     "",
                     {},

@@ -24,6 +24,7 @@ struct SpecimenImage {
   image::ImageSummary summary;
   voxels::LabelVolume labels;
   voxels::IntensityVolume intensities;  ///< where a material's field asks for them; else empty
+  std::int64_t bodies = 1;              ///< that its filled voxels make, by faces of voxels
 };
 
 /// Grid and particles of one deck, this rank's part.
@@ -34,6 +35,7 @@ struct Specimen {
   particles::Particles<grid::Device> particles;  ///< of the undeformed body
   particles::LayoutSizes layout;
   std::vector<std::string> notes;  ///< what a user should know of grid and particles
+  std::int64_t bodies;             ///< that the image's filled voxels make, by faces of voxels
   std::int64_t particle_count;     ///< over all ranks
   std::string dilatation;          ///< which one, and why
   /// The softest and stiffest of the particles of each material, where they differ; else empty.

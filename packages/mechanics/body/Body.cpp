@@ -152,7 +152,7 @@ void Body::find_fictitious_points() {
   fictitious_volume_ = {};
   const double stabilization = problem_.method.stabilization;
   if (stabilization == 0.0) return;
-  const auto missing = missing_volume(box_, particles_, stabilized_share(problem_));
+  const auto missing = missing_volume(stabilized_share(problem_));
   const Kokkos::View<float*, Device> volume("fictitious volume", missing.extent(0));
   const double count_of_element = kernels_->fictitious_points();
   std::int64_t found = 0;
@@ -165,6 +165,10 @@ void Body::find_fictitious_points() {
       },
       found);
   if (found > 0) fictitious_volume_ = volume;
+}
+
+Kokkos::View<double*, grid::Device> Body::missing_volume(double share) const {
+  return mechanics::missing_volume(halo_, box_, particles_, domains_, share);
 }
 
 particles::Particles<grid::Device> Body::particles_on(const grid::Partition& partition) const {
@@ -266,9 +270,11 @@ double Body::largest_strain(const grid::Vector& u) const {
   field_layers(u)([&](int first, const transfer::ParticleFields<Device>& fields) {
     const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), fields.stress);
     for (std::size_t p = 0; p < stress.extent(0); ++p) {
-      const int n = first + static_cast<int>(p);
-      const double modulus = stress_->moduli_of(particles, n).uniaxial_strain();
-      for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(stress(p, c)) / modulus);
+      const auto moduli = stress_->moduli_of(particles, first + static_cast<int>(p));
+      const double mean = (stress(p, 0) + stress(p, 1) + stress(p, 2)) / 3.0;
+      largest = std::max(largest, std::abs(mean) / moduli.bulk);
+      for (int c = 0; c < 6; ++c)
+        largest = std::max(largest, std::abs(stress(p, c) - (c < 3 ? mean : 0.0)) / moduli.shear);
     }
   });
   return communicator().max(largest);

@@ -113,6 +113,8 @@ class Body {
   /// The body's points with a displacement, good until the halo gathers another vector.
   Points points(const grid::Vector& u) const;
 
+  /// (local element) what it lacks to being full of particles (mechanics::missing_volume()). Collective.
+  Kokkos::View<double*, Device> missing_volume(double share) const;
   /// The particles in the elements of a partition of the grid, or of the lattice under it.
   particles::Particles<Device> particles_on(const grid::Partition& partition) const;
   /// (local element of a partition) whether the element holds a particle. The partition is that of
@@ -159,8 +161,9 @@ class Body {
   /// Where a plane wave has a negative modulus, of one element in `share` (transfer::is_drawn).
   /// Takes as long as a tangent of these.
   Localization localization(const grid::Vector& u, int share) const;
-  /// The largest stress component of a particle in moduli K + 4/3 mu of its material [-]: about how
-  /// much the body is strained where it is strained most. Rounding makes 1e-15 of a body at rest.
+  /// The largest of a particle's mean stress in moduli K, and its other stress in moduli mu, of its
+  /// material [-]: about how much the body is strained where it is strained most. Rounding makes 1e-15
+  /// of a body at rest.
   double largest_strain(const grid::Vector& u) const;
 
  private:

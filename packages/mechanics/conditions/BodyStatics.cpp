@@ -52,8 +52,9 @@ std::string largest_of_all(const base::Communicator& communicator, const Remark&
 
 }  // namespace
 
-BodyStatics::BodyStatics(const grid::Halo& halo, const Pieces& pieces, const grid::Grid& body)
-    : halo_(halo), pieces_(pieces), sums_(static_cast<std::size_t>(pieces.count())) {
+BodyStatics::BodyStatics(const grid::Halo& halo, const Pieces& pieces, const grid::Grid& body,
+                         std::size_t loads)
+    : halo_(halo), pieces_(pieces), loads_(loads), sums_(static_cast<std::size_t>(pieces.count())) {
   frame_.length = 0.0;
   for (int d = 0; d < 3; ++d) {
     frame_.centre[static_cast<std::size_t>(d)] =
@@ -172,16 +173,21 @@ void BodyStatics::refuse_loads(bool with_moments) const {
   for (int piece = 0; piece < pieces_.count(); ++piece) {
     if (!verdict(piece).has_free_motion) continue;
     const PieceSums& one = sums_[static_cast<std::size_t>(piece)];
-    const std::string resultant = free_resultant(one, frame_, with_moments);
+    const bool is_one_load = loads_ <= 1;
+    const std::string resultant = free_resultant(one, frame_, with_moments, is_one_load);
     if (resultant.empty()) continue;
     const bool is_whole = summary_.count == 1;
-    keep_larger(largest, one,
-                "External Forces: they have a resultant " + resultant + ", and nothing holds " +
-                    (is_whole ? "the body" : "the piece of the body on which they act") +
-                    " against that motion" +
-                    (is_whole ? "" : " (" + describe(one) + "; " + other_pieces() + ")") +
-                    "; admissible: a boundary condition that does, or forces in balance" +
-                    (is_whole ? "" : ", or an image without that piece"));
+    keep_larger(
+        largest, one,
+        std::string("External Forces: ") +
+            (is_one_load ? "they have a resultant "
+                         : "their load curves differ, and at some load they have a resultant ") +
+            resultant + ", and nothing holds " +
+            (is_whole ? "the body" : "the piece of the body on which they act") +
+            " against that motion" +
+            (is_whole ? "" : " (" + describe(one) + "; " + other_pieces() + ")") +
+            "; admissible: a boundary condition that does, or forces in balance" +
+            (is_whole ? "" : ", or an image without that piece"));
   }
   const std::string refusal = largest_of_all(halo_.communicator(), largest);
   if (!refusal.empty()) throw base::InputError(refusal);

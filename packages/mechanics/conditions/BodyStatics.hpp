@@ -42,7 +42,9 @@ using HeldVisitor = std::function<void(const HeldComponent&)>;
 /// pieces for those of which it has a part, and none of the others.
 class BodyStatics {
  public:
-  BodyStatics(const grid::Halo& halo, const Pieces& pieces, const grid::Grid& body);
+  /// \param loads  number of loads that are added (OtherActions::loads)
+  BodyStatics(const grid::Halo& halo, const Pieces& pieces, const grid::Grid& body,
+              std::size_t loads);
 
   // First, what there is on this rank.
   void add_element(int piece, std::int64_t particles, const std::array<double, 3>& lower,
@@ -81,6 +83,7 @@ class BodyStatics {
 
   const grid::Halo& halo_;
   const Pieces& pieces_;
+  std::size_t loads_;
   RigidFrame frame_;
   std::vector<PieceSums> sums_;          // (piece)
   std::set<std::pair<int, int>> moved_;  // (condition, piece that it moves), on this rank

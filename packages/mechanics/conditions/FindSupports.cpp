@@ -91,7 +91,7 @@ std::unique_ptr<Supports> find_supports(const Body& body, const OtherActions& ot
   const auto filled_around = body.elements_around({}, true, touched);
   const Pieces pieces(body.halo(), body.box(), touched);
 
-  BodyStatics statics(body.halo(), pieces, problem.body);
+  BodyStatics statics(body.halo(), pieces, problem.body, others.loads.size());
   add_elements(body, pieces, statics);
   for (const auto& load : others.loads)
     for_each_force(body, pieces, *load, [&](int piece, const auto& position, const auto& force) {

@@ -16,7 +16,8 @@ namespace stroma::mechanics {
 struct OtherActions {
   /// Visits the components of pieces that are held otherwise.
   std::function<void(const Pieces& pieces, const HeldVisitor& visit)> visit_held;
-  /// Forces at full load that supports must balance [pN], at owned unknowns.
+  /// Forces whose sum supports must balance [pN], at owned unknowns: one at full load, or several,
+  /// which stand for all that they add up to in the run.
   std::vector<grid::RCP<const grid::Vector>> loads;
   /// Force of the stress at the base configuration [pN]; null: none.
   grid::RCP<const grid::Vector> stress;

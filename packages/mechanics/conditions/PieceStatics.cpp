@@ -106,7 +106,8 @@ PieceVerdict judge(const PieceSums& piece, const RigidFrame& frame) {
   return verdict;
 }
 
-std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool with_moments) {
+std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool with_moments,
+                           bool with_size) {
   const RigidFrame own = piece.own_frame();
   const RigidGram held = frame.sums_in(own, piece.held);
   const RigidMode load = frame.sums_in(own, piece.load);
@@ -119,7 +120,7 @@ std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool
   const RigidMode push = projected(load, HeldMotions(held_upright).free());
   const Vector force{push[0], push[1], push[2]};
   if (norm(force) > negligible_load * piece.load_size)
-    return format("along %s: %.6g pN", direction(force).c_str(), norm(force));
+    return "along " + direction(force) + (with_size ? format(": %.6g pN", norm(force)) : "");
 
   RigidMode turn = projected(load, HeldMotions(held).free());
   for (std::size_t i = 0; i < 6; ++i) turn[i] -= push[i];
@@ -132,9 +133,9 @@ std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool
     point[d] += own.length * (w[e] * t[f] - w[f] * t[e]) / (norm(w) * norm(w));
     if (std::abs(point[d] - own.centre[d]) < 1e-6 * own.length) point[d] = own.centre[d];
   }
-  return format("about the axis along %s through (%.6g, %.6g, %.6g) um: %.6g pN um",
-                direction(w).c_str(), point[0], point[1], point[2],
-                own.length * work * work / norm(w));
+  return format("about the axis along %s through (%.6g, %.6g, %.6g) um", direction(w).c_str(),
+                point[0], point[1], point[2]) +
+         (with_size ? format(": %.6g pN um", own.length * work * work / norm(w)) : "");
 }
 
 std::string describe(const PieceSums& piece) {

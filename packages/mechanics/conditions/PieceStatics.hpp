@@ -59,7 +59,9 @@ PieceVerdict judge(const PieceSums& piece, const RigidFrame& frame);
 /// \param piece         sums over the piece
 /// \param frame         its rigid motions, with what is free
 /// \param with_moments  whether resultants about axes count as well
-std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool with_moments);
+/// \param with_size     whether it says how large the resultant is
+std::string free_resultant(const PieceSums& piece, const RigidFrame& frame, bool with_moments,
+                           bool with_size = true);
 
 /// "8 elements with 64 particles around (6, 6, 6) um, 4 x 4 x 4 um large".
 std::string describe(const PieceSums& piece);

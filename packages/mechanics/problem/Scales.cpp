@@ -45,6 +45,16 @@ void check_single(const std::string& where, const std::string& of_what, double l
       where.c_str(), of_what.c_str(), least >= smallest ? most : least, smallest, largest));
 }
 
+/// The digits that a double has beside 1, in squares of stretches, and in pressures beside shear
+/// stresses.
+void check_digits(const std::string& where, const std::string& of_what, double ratio,
+                  double largest) {
+  if (ratio <= largest) return;
+  throw base::InputError(base::format(
+      "%s: %s is %.3g, and rounding alone would be as large as the stresses; admissible: up to %g",
+      where.c_str(), of_what.c_str(), ratio, largest));
+}
+
 /// Displacements that a condition prescribes at the corners of the body, or the largest of images.
 Range displacements(const BoundaryCondition& condition, const grid::Grid& body) {
   const std::array<double, 3> length = body.lengths();
@@ -69,6 +79,10 @@ void check_scales(const Problem& problem) {
   Range moduli, lengths, densities;
   for (const material::SmallStrainModuli& material : problem.laws.range())
     for (const double modulus : {material.shear, material.bulk}) moduli.add(modulus);
+  for (const material::SmallStrainModuli& material : problem.laws.range())
+    if (material.shear > 0.0)
+      check_digits("Materials", "the bulk modulus over the shear modulus",
+                   material.bulk / material.shear, 1e10);
   for (int d = 0; d < 3; ++d) {
     lengths.add(body.spacing[static_cast<std::size_t>(d)]);
     lengths.add(body.length(d));
@@ -85,6 +99,8 @@ void check_scales(const Problem& problem) {
   for (const auto& [name, condition] : problem.conditions) {
     const Range u = displacements(condition, body);
     if (u.empty()) continue;
+    check_digits("Boundary Conditions|" + name, "the displacement over the body's longest edge",
+                 u.most / lengths.most, 1e5);
     check_force("Boundary Conditions|" + name, "modulus times length times displacement",
                 moduli.least * lengths.least * u.least, moduli.most * lengths.most * u.most);
     largest_force = std::max(largest_force, moduli.most * lengths.most * u.most);

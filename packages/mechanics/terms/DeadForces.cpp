@@ -68,9 +68,44 @@ TermForce DeadForces::force(const TrialState&, grid::Vector& force) const {
   return all;
 }
 
+namespace {
+
+/// Load factors at which curves tell each other apart: their points, the middles between these, and
+/// some more for curves that repeat.
+std::vector<double> telling_loads(const std::vector<double>& of_points) {
+  std::vector<double> loads{1.0};
+  constexpr int even = 64;
+  for (int n = 1; n < even; ++n) loads.push_back(static_cast<double>(n) / even);
+  for (const double load : of_points)
+    if (load > 0.0 && load < 1.0) loads.push_back(load);
+  std::sort(loads.begin(), loads.end());
+  const std::size_t points = loads.size();
+  for (std::size_t n = 0; n + 1 < points; ++n) loads.push_back(0.5 * (loads[n] + loads[n + 1]));
+  return loads;
+}
+
+}  // namespace
+
+/// Forces of one curve are told at their full size. Of several, a sum over load factors with weights
+/// that nothing else has: it is balanced if, but for an accident, those of each load factor are.
 std::vector<grid::RCP<const grid::Vector>> DeadForces::dead_loads() const {
   std::vector<grid::RCP<const grid::Vector>> all;
-  for (const Group& group : groups_) all.push_back(group.full);
+  if (groups_.size() == 1) return {groups_.front().full};
+  std::vector<double> points;
+  for (const Group& group : groups_)
+    points.insert(points.end(), group.curve.loads.begin(), group.curve.loads.end());
+  const std::vector<double> loads = telling_loads(points);
+  for (const Group& group : groups_) {
+    double factor = 0.0;
+    for (std::size_t n = 0; n < loads.size(); ++n) {
+      const double golden = 0.6180339887498949 * static_cast<double>(n + 1);
+      const double weight = 0.5 + (golden - std::floor(golden));
+      factor += weight * group.curve.at(loads[n]) / static_cast<double>(loads.size());
+    }
+    const auto weighted = Teuchos::rcp(new grid::Vector(group.full->getMap()));
+    weighted->update(factor, *group.full, 0.0);
+    all.push_back(weighted);
+  }
   return all;
 }
 

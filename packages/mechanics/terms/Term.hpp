@@ -75,8 +75,8 @@ class Term {
   /// From now on a diagonal tangent that is no softer will do: the body only preconditions.
   virtual void lump() {}
 
-  /// Forces on the undeformed body, each of which its supports must balance: those that grow
-  /// together are one, at their full size.
+  /// Forces on the undeformed body, the sum of which its supports must balance: those that grow
+  /// together are one, at their full size; several stand for all that they add up to in the run.
   virtual std::vector<grid::RCP<const grid::Vector>> dead_loads() const { return {}; }
   /// Visits the components that the term holds in place.
   virtual void visit_held(const Pieces&, const HeldVisitor&) const {}

@@ -66,6 +66,20 @@ TEST(Rounding, IsToldAgainWhereItGrows) {
   EXPECT_LT(*std::max_element(residuals.begin() + 1, residuals.end()), 2.1 * told);
 }
 
+// Shear stresses beside which rounding of the pressure is large are no equilibrium, however small they
+// are beside the bulk modulus; and the advice names it.
+TEST(Rounding, OfPressuresIsNotTakenForRest) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_with(folder,
+                                   " --set 'Materials|gel|Poisson Ratio=0.49999999995'"
+                                   " --set 'Materials|ball|Poisson Ratio=0.49999999995'"
+                                   " --set 'Solver|Preconditioner=Direct'");
+  EXPECT_EQ(outcome.status, 1) << outcome.standard_output;
+  EXPECT_NE(outcome.standard_error.find("a bulk modulus is 1e+10 times the shear modulus"),
+            std::string::npos)
+      << outcome.standard_error;
+}
+
 TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {
   const std::pair<std::string, std::string> settings[] = {
       {"Materials|ball|Shear Modulus [Pa]=1e200", "Materials"},
@@ -76,7 +90,11 @@ TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {
       {"Boundary Conditions|top|Strain=1e-200", "Boundary Conditions|top"},
       {"Boundary Conditions|top|Strain=-1e180", "Boundary Conditions|top"},
       {"External Forces|f|Body Force [pN/um^3]=[0, 0, 1e-190]", "External Forces|f"},
-      {"External Forces|f|Body Force [pN/um^3]=[0, 0, 1e190]", "External Forces|f"}};
+      {"External Forces|f|Body Force [pN/um^3]=[0, 0, 1e190]", "External Forces|f"},
+      {"Boundary Conditions|top|Strain=1e8", "the displacement over the body's longest edge"},
+      {"Materials|gel|Poisson Ratio=0.49999999999999", "the bulk modulus over the shear modulus"},
+      {"Materials|gel|Active Stress|T0 [Pa]=1e300", "Active Stress|T0 [Pa]"},
+      {"Materials|gel|Growth|Ratio=1e200", "Growth|Ratio"}};
   for (const auto& [setting, section] : settings)
     for (const std::string command : {"check", "run"}) {
       const TemporaryFolder folder;

@@ -56,6 +56,73 @@ TEST(Statics, ABodyInTwoPiecesBetweenItsGripsIsRefused) {
                  {"Boundary Conditions|top", "strains nothing"});
 }
 
+/// A block that slides along x, pulled by one curve and pushed by another.
+std::string pulled_and_pushed(const std::string& push, const std::string& pushing) {
+  return R"(Stroma:
+  Image:
+    Phantom: {Kind: Uniform, Size: [4, 4, 4], "Voxel Size [um]": [1, 1, 1]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
+  Grid: {Elements: [2, 2, 2]}
+  Boundary Conditions:
+    bottom: {Face: y-, Components: y}
+  Loading: {"Duration [s]": 1, Steps: 4}
+  Load Curves:
+    whole: {"Times [s]": [0, 0.5, 1], Values: [0, 1, 0]}
+    half: {"Times [s]": [0, 0.5, 1], Values: [0, 0.5, 0]}
+    other: {"Times [s]": [0, 0.25, 1], Values: [0, 0.5, 0]}
+  External Forces:
+    pull: {Face: x+, "Traction [Pa]": [5, 0, 0], Load Curve: whole}
+    push: {Face: x-, "Traction [Pa]": )" +
+         push + ", Load Curve: " + pushing + "}\n";
+}
+
+// Loads that balance each other at some load factors only, as at the end, where both are 0.
+TEST(Statics, LoadsMustBalanceAtEveryLoad) {
+  const TemporaryFolder folder;
+  for (const int ranks : {1, 2})
+    for (const std::string command : {"check ", "run "}) {
+      const auto outcome_of = [&](const std::string& push, const std::string& pushing) {
+        folder.write("deck.yaml", pulled_and_pushed(push, pushing));
+        return run_stroma(folder.path(), command + "deck.yaml", ranks);
+      };
+      const Outcome balanced = outcome_of("[-10, 0, 0]", "half");
+      EXPECT_EQ(balanced.status, 0) << balanced.standard_error;
+      for (const auto& [push, pushing] :
+           {std::pair("[-10, 0, 0]", "other"), {"[-5, 0, 0]", "half"}}) {
+        const Outcome loose = outcome_of(push, pushing);
+        EXPECT_EQ(loose.status, 2) << push << pushing << loose.standard_output;
+        EXPECT_NE(loose.standard_error.find("at some load they have a resultant along x,"),
+                  std::string::npos)
+            << loose.standard_error;
+      }
+    }
+}
+
+// A body whose halves lie in one layer of elements, or in the reach of splines, is told: what its
+// voxels part, the grid glues.
+TEST(Statics, BodiesThatTheGridJoinsAreNoted) {
+  const std::string note =
+      "note: the image's filled voxels make 2 bodies that share no face of a voxel, and the grid joins "
+      "them to 1";
+  const TemporaryFolder folder;
+  copy_case("gap", folder);
+  for (const int ranks : {1, 2})
+    for (const std::string command : {"check ", "run "})
+      for (const std::string grid :
+           {" --set 'Grid|Elements=[3, 4, 3]' --set 'Grid|Shape Functions=Quadratic B-Spline'",
+            " --set 'Grid|Shape Functions=Cubic B-Spline'"}) {
+        const Outcome outcome = run_stroma(folder.path(), command + "deck.yaml" + grid, ranks);
+        EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+        EXPECT_NE(outcome.standard_output.find(note), std::string::npos)
+            << command << grid << outcome.standard_output;
+      }
+  for (const std::string name : {"sponge/deck.yaml", "voxels_per_element/deck.yaml"}) {
+    const Outcome one = run_stroma(folder.path(), "check " + quoted(cases / name));
+    EXPECT_EQ(one.standard_output.find("make 2 bodies"), std::string::npos) << one.standard_output;
+  }
+}
+
 /// A block of 8 um that is held by its lower y face, without the outermost layer of voxels at the upper
 /// one along x from 0 to `gap` [um].
 std::string block_with_gap(int gap) {

@@ -216,18 +216,21 @@ TEST(Fragments, AreWhatNoFaceJoinsToAConditionsReach) {
   };
   voxels::LabelVolume labels = volume_of(size, label_with_specks);
   EXPECT_EQ(filled(labels), 28 + 2 + 3);
-  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{0, 0}, {0, 0}, {2, 1}}})
-                .find("1 fragment of the body, 2 voxels or 6.1 % of it, is left out: "),
-            0u);
-  EXPECT_EQ(filled(labels), 28 + 3);
-  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{0, 0}, {0, 0}, {0, 0}}}), "")
-      << "nothing is held";
-  EXPECT_EQ(filled(labels), 28 + 3);
-  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{1, 0}, {0, 0}, {0, 0}}})
-                .find("2 fragments of the body, 3 voxels in all (the largest: 2) or 9.7 % of it, "),
-            0u);
-  EXPECT_EQ(filled(labels), 28);
-  EXPECT_EQ(image::leave_out_fragments(world, labels, {{{1, 0}, {0, 0}, {0, 0}}}), "");
+  const auto expect_left = [&](const std::optional<image::FaceReach>& reach, std::int64_t bodies,
+                               std::int64_t voxels, const std::string& note) {
+    const image::Bodies left = image::leave_out_fragments(world, labels, reach);
+    EXPECT_EQ(left.count, bodies);
+    EXPECT_EQ(left.note.substr(0, note.size()), note);
+    EXPECT_EQ(left.note.empty(), note.empty()) << left.note;
+    EXPECT_EQ(filled(labels), voxels);
+  };
+  expect_left(std::nullopt, 4, 28 + 2 + 3, "");
+  expect_left({{{{0, 0}, {0, 0}, {2, 1}}}}, 3, 28 + 3,
+              "1 fragment of the body, 2 voxels or 6.1 % of it, is left out: ");
+  expect_left({{{{0, 0}, {0, 0}, {0, 0}}}}, 3, 28 + 3, "");  // nothing is held
+  expect_left({{{{1, 0}, {0, 0}, {0, 0}}}}, 1, 28,
+              "2 fragments of the body, 3 voxels in all (the largest: 2) or 9.7 % of it, ");
+  expect_left({{{{1, 0}, {0, 0}, {0, 0}}}}, 1, 28, "");
 }
 
 }  // namespace

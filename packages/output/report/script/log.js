@@ -18,7 +18,7 @@ function readLog(text) {
 
 /** Adds the notes of a log to a list of checks. */
 function tellNotes(log, tell) {
-  const serious = /locking|few elements|rounding|pieces|does not resolve|under-integrates|finer than voxels|not in balance|not drawn|not written|contrast|removed|left out|held by nothing|nothing strains|not in per cent|no particle is of|goes into/i;
+  const serious = /locking|few elements|rounding|pieces|does not resolve|under-integrates|finer than voxels|not in balance|not drawn|not written|contrast|removed|left out|held by nothing|grid joins|nothing strains|not in per cent|no particle is of|goes into/i;
   const isSerious = (text) => serious.test(text) || Number((/Stabilization adds (\S+) to/.exec(text) || [])[1]) > 1e-3;
   for (const text of [...new Set(log.notes)]) tell(isSerious(text) ? "look" : "note", text[0].toUpperCase() + text.slice(1));
 }
