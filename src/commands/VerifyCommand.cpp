@@ -44,7 +44,7 @@ class Findings {
   int wrong_ = 0;
 };
 
-/// Whether the files that the run left, but for its log, are there with the contents that it left.
+/// Whether the files that the run left are there with the contents that it left.
 /// \return whether all of them could be compared
 bool verify_contents(const base::Communicator& communicator, const std::string& folder,
                      Findings& findings) {

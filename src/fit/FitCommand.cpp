@@ -167,6 +167,8 @@ void fit_command(const base::Communicator& communicator, const std::string& fit_
   const output::RunFolder folder(communicator, output_folder, output::fit_files());
   const FitPlan plan = plan_fit(communicator, fit_deck);
   folder.refuse_foreign_files(plan.files);
+  FitRuns runs(communicator, plan, folder.folder(), log);
+  runs.refuse_foreign_files(starts(plan));
   folder.remove_old_results(log);
   base::collectively(communicator, [&] { log.open_file(folder.log()); });
   if (!plan.title.empty()) log.line("title       " + plan.title);
@@ -177,7 +179,6 @@ void fit_command(const base::Communicator& communicator, const std::string& fit_
                ? "derivatives by the adjoint, with each run"
                : "derivatives by differences, a run for each: " + plan.no_adjoint_because);
 
-  FitRuns runs(communicator, plan, folder.folder(), log);
   const auto write = [&](const std::string& name, const std::string& text) {
     base::collectively(communicator, [&] {
       if (communicator.is_root()) output::write_file(folder.file(name), text);
@@ -205,6 +206,7 @@ void fit_command(const base::Communicator& communicator, const std::string& fit_
   log.line(format("%zu runs, %zu of them new, %.1f s on %d rank%s; %s", runs.all().size(),
                   runs.solved(), MPI_Wtime() - start, communicator.size(),
                   communicator.size() == 1 ? "" : "s", folder.file("estimates.csv").c_str()));
+  folder.finish("log.txt");
 }
 
 }  // namespace stroma

@@ -17,15 +17,16 @@
 #include "study/StudyMembers.hpp"
 
 namespace stroma {
-namespace {
-
-using base::format;
 
 std::vector<double> starts(const FitPlan& plan) {
   std::vector<double> values;
   for (const auto& [name, one] : plan.parameters.parameters.all) values.push_back(one.start);
   return values;
 }
+
+namespace {
+
+using base::format;
 
 void refuse_twins(const FitPlan& plan, deck::Findings& findings) {
   const auto& all = plan.parameters.parameters.all;

@@ -38,6 +38,9 @@ struct FitPlan {
   bool has_adjoint() const { return no_adjoint_because.empty(); }
 };
 
+/// The numbers at the start.
+std::vector<double> starts(const FitPlan& plan);
+
 /// A run's deck: the base deck with numbers in place of those that are looked for.
 /// \throws base::InputError when the deck cannot have them
 Deck deck_with(const FitPlan& plan, const std::vector<double>& values);

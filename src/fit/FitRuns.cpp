@@ -10,6 +10,7 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/output/files/HistoryTable.hpp"
+#include "stroma/output/files/RunFolder.hpp"
 #include "study/ForceDeparture.hpp"
 #include "study/MemberRun.hpp"
 
@@ -82,6 +83,16 @@ bool FitRuns::read_back(FitRun& run) const {
   return is_whole == 1;
 }
 
+void FitRuns::refuse_foreign_files(const std::vector<double>& values) const {
+  const std::string folder = folder_ + "/" + folder_of(*plan_, values);
+  std::optional<Deck> deck;
+  base::collectively(communicator_, [&] { deck = deck_with(*plan_, values); });
+  int kept = communicator_.is_root() && is_finished(folder, *deck) ? 1 : 0;
+  communicator_.broadcast(kept);
+  if (kept == 0)
+    output::refuse_foreign_files(communicator_, folder, run_files(*deck), plan_->files);
+}
+
 FitRun FitRuns::make(const std::vector<double>& values) {
   FitRun run;
   run.values = values;
@@ -106,6 +117,7 @@ FitRun FitRuns::make(const std::vector<double>& values) {
   communicator_.broadcast(kept);
   run.is_kept = kept == 1 && read_back(run);
   if (run.is_kept) return run;
+  output::refuse_foreign_files(communicator_, folder, run_files(*deck), plan_->files);
   run.chi2 = 0.0;
   RunOptions options;
   options.folder = folder;

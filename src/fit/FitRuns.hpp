@@ -37,8 +37,12 @@ class FitRuns {
   FitRuns(const base::Communicator& communicator, const FitPlan& plan, std::string folder,
           base::Log& log);
 
+  /// Refuses what is in the way of the run of some numbers, if it has to be run: a file of the
+  /// user's own, or one that the fit is read from. \throws base::InputError
+  void refuse_foreign_files(const std::vector<double>& values) const;
   /// The run of some numbers, of which ten digits count.
   /// \throws base::Interrupted when a signal ends the fit
+  /// \throws base::InputError as above
   const FitRun& at(const std::vector<double>& values);
   /// Derivatives of the forces there (point, number): the adjoint's, or differences by 1e-4 of a
   /// number, away from a bound. Empty where a run that this takes failed.

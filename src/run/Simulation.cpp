@@ -234,6 +234,8 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
   const Specimen specimen = make_specimen(communicator, deck, *image);
   Tables tables(communicator, deck, specimen, image->labels);
   image.reset();
+  // An image may be of several files: data beside a header, slices.
+  folder.refuse_foreign_files(specimen.files, options.is_restart);
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
   if (before) before->require_images(files);
 
@@ -320,6 +322,7 @@ void run_simulation(const base::Communicator& communicator, const Deck& deck,
     throw;
   }
   report(communicator, deck, folder, log);
+  folder.finish("log.txt");
 }
 
 }  // namespace stroma

@@ -121,6 +121,7 @@ void find_stiffness(const base::Communicator& communicator, const Deck& deck,
       {},
       {}};
   const mechanics::NamedBoundaries wanted = possible_boundaries(deck, results.face_shares, log);
+  folder.refuse_foreign_files(specimen.files);  // data beside a header, slices
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
   bool is_begun = false;
   const auto begin = [&](const mechanics::MomentumBalance& balance) {
@@ -161,6 +162,7 @@ void run_stiffness(const base::Communicator& communicator, const Deck& deck,
   find_stiffness(communicator, deck, folder, log);
   if (deck.parameters.output.report)
     report_at_end(log, [&] { stiffness_report(communicator, folder.folder(), log); });
+  folder.finish("log.txt");
 }
 
 bool holds_stiffness(const std::string& folder) {

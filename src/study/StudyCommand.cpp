@@ -139,6 +139,7 @@ void study_command(const base::Communicator& communicator, const std::string& st
   folder.finish();
   log.line(format("%.1f s on %d rank%s; %s", MPI_Wtime() - start, communicator.size(),
                   communicator.size() == 1 ? "" : "s", folder.file("study.csv").c_str()));
+  folder.finish("log.txt");
   if (failures.empty()) return;
   std::string text = format("%zu of %zu members failed; the others' results are in %s",
                             failures.size(), count, folder.folder().c_str());

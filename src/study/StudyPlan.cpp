@@ -207,6 +207,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
 
   MemberMistakes mistakes;
   std::map<std::string, VoxelLattice> lattices;
+  const std::vector<std::string> inputs = input_files(*plan);
   for (std::size_t m = 0; m < plan->members.size(); ++m) {
     const Deck& deck = plan->decks[m];
     int finished = communicator.is_root() && is_finished(plan->folders[m], deck) ? 1 : 0;
@@ -216,8 +217,7 @@ StudyPlan plan_study(const base::Communicator& communicator, const std::string& 
       if (finished == 0) {
         base::Log silent(communicator, true);
         check_command(communicator, deck, silent);
-        output::refuse_foreign_files(communicator, plan->folders[m], run_files(deck),
-                                     input_files(deck));
+        output::refuse_foreign_files(communicator, plan->folders[m], run_files(deck), inputs);
       }
       const std::string image = image_apart_from_segmentation(deck);
       if (lattices.count(image) == 0)

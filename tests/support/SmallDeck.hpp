@@ -5,6 +5,7 @@
 /// \file
 /// A deck that runs in a second: a ball of 8 x 8 x 8 voxels, stretched between clamps.
 
+#include <regex>
 #include <string>
 
 #include "support/Places.hpp"
@@ -16,9 +17,24 @@ inline std::string small_deck() {
   return content_of(clone_folder() / "tests" / "data" / "cases" / "title_control" / "base.yaml");
 }
 
+/// The same of an image file that holds its labels.
+inline std::string small_deck_of_labels(const std::string& file) {
+  std::string text = small_deck();
+  const std::size_t begin = text.find("    Phantom:"), end = text.find("  Materials:");
+  return text.replace(begin, end - begin,
+                      "    File: " + file + "\n    Segmentation: {Method: Labels}\n");
+}
+
 /// The same as a run of an hour.
 inline const std::string endless =
     " --set 'Loading|Steps=900000' --set 'Loading|Smallest Step=1e-9' ";
+
+/// Makes an output folder's list of files that of a run that was killed in its last step.
+inline void leave_as_killed(const fs::path& out) {
+  const std::string files = content_of(out / ".stroma_files");
+  std::ofstream(out / ".stroma_files")
+      << std::regex_replace(files, std::regex("\t[0-9]+ bytes.*"), "\tbeing written");
+}
 
 /// Runs a script of bash in a folder, in which $stroma is the program, $mpirun starts ranks, and
 /// `wait_for_steps FILE` waits until a history.csv has three steps.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "stroma/base/Error.hpp"
 #include "stroma/base/Log.hpp"
@@ -59,6 +60,18 @@ bool is_like_zarr(const fs::path& folder) {
     const std::string name = fs::path(file).filename().string();
     return name.rfind(".z", 0) == 0 || name.find_first_not_of("0123456789") == std::string::npos;
   });
+}
+
+/// Whether a text is how a log begins: behind notes, with the first line of a run, a study or a fit.
+bool is_begin_of_log(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  const auto is = [&](const char* begin) { return line.rfind(begin, 0) == 0; };
+  do {
+    if (!std::getline(lines, line)) return false;
+  } while (is("note: "));
+  return is("removed     ") || is("image      ") || is("goes on    after step ") ||
+         is("title       ") || is("study       ") || is("fit         ");
 }
 
 }  // namespace
@@ -178,10 +191,11 @@ bool Manifest::begins_as_written(const std::string& file_path) {
   const fs::path path = file_path;
   if (fs::is_directory(path)) return is_like_zarr(path);
   std::ifstream file(path, std::ios::binary);
-  const std::string begin = bytes_of(file, 0, 64);
+  const std::string begin = bytes_of(file, 0, 4096);
   const auto is = [&](const std::string& text) { return begin.rfind(text, 0) == 0; };
   const std::string ending = path.extension().string(), name = path.filename().string();
-  if (begin.empty() || name == "log.txt" || ending == ".new") return true;
+  if (begin.empty() || ending == ".new") return true;
+  if (name == "log.txt") return is_begin_of_log(begin);
   if (ending == ".xml") return is("<!-- The deck as it was run");
   if (ending == ".csv")
     return is("step,load,") || is("step,time,") || is("material,") || is("label_material,") ||

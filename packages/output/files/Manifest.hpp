@@ -26,7 +26,8 @@ class Manifest {
   void begin(const std::vector<std::string>& names);
   /// These files are finished, as they are now.
   void finish(const std::vector<std::string>& files);
-  /// All files are finished, but for the log, to which a line may still come.
+  /// All files are finished, but for the log, to which a line may still come; until it is finished,
+  /// it is known by how it begins.
   /// \param files  their names
   /// \param sums   the whole_checksum() of each
   void end(const std::vector<std::string>& files, const std::vector<std::string>& sums);

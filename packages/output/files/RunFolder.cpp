@@ -56,6 +56,24 @@ std::string list_of(const std::vector<std::string>& files) {
   return text;
 }
 
+/// Whether a path leads to a file, or into it where it is a folder (of Zarr), by whatever name.
+bool leads_to(const fs::path& file, const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(file, ignored)) return fs::equivalent(path, file, ignored);
+  for (fs::path at = fs::canonical(path, ignored); at.has_relative_path(); at = at.parent_path())
+    if (fs::equivalent(at, file, ignored)) return true;
+  return false;
+}
+
+/// For one rank. \param what  the run would do to the file
+void refuse_inputs(const std::string& folder, const std::string& file,
+                   const std::vector<std::string>& inputs, const std::string& what) {
+  for (const std::string& input : inputs)
+    if (leads_to(fs::path(folder) / file, input))
+      throw base::InputError("the output folder '" + folder + "' holds '" + input + "' as '" +
+                             file + "', " + what + "; choose another folder (-o)");
+}
+
 /// For one rank; see refuse_foreign_files().
 void refuse(const std::string& folder, int ranks, const std::vector<std::string>& names,
             const std::vector<std::string>& inputs) {
@@ -67,15 +85,13 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
     foreign.emplace_back("pictures");
   const Manifest manifest(folder);
   for (const std::string& file : files_of(folder, names)) {
-    const bool is_own = manifest.is_own(file);
-    for (const std::string& input : inputs) {
-      if (fs::equivalent(fs::path(folder) / file, input, ignored))
-        throw base::InputError("the output folder '" + folder + "' holds '" + input + "' as '" +
-                               file +
-                               "', a name that the run writes to; choose another folder (-o)");
-    }
-    if (!is_own && is_written_on(ranks, file)) foreign.push_back(file);
+    refuse_inputs(folder, file, inputs, "a name that the run writes to");
+    if (!manifest.is_own(file) && is_written_on(ranks, file)) foreign.push_back(file);
   }
+  for (const std::string& file : manifest.files())
+    if (manifest.is_own(file))
+      refuse_inputs(folder, file, inputs,
+                    "which an earlier run left there and this one would remove");
   if (foreign.empty()) return;
   throw base::InputError("the output folder '" + folder + "' holds " + list_of(foreign) +
                          ", which the run would overwrite, and which no run of Stroma is known to "

@@ -28,11 +28,12 @@ std::vector<std::string> study_files();
 std::vector<std::string> fit_files();
 
 /// Refuses a folder in which a file of the names given, spread over so many ranks, is in the way: a
-/// run would write it, and it is the user's own. A folder that does not exist is not refused.
+/// run would write it, and it is the user's own; or from which the run would remove one of its own
+/// inputs, which an earlier run left there. A folder that does not exist is not refused.
 /// \param communicator  of all ranks of the run
 /// \param folder        the output folder
 /// \param names         of the files to be written
-/// \param inputs        deck and image, which must not be overwritten by whatever path
+/// \param inputs        decks, images and tables, which stay, by whatever path they are named
 /// \throws InputError on all ranks, naming every such file. Collective
 void refuse_foreign_files(const base::Communicator& communicator, const std::string& folder,
                           const std::vector<std::string>& names,
@@ -73,7 +74,7 @@ class RunFolder : public RunFiles {
             std::vector<std::string> names);
 
   /// See above.
-  /// \param inputs       deck and images
+  /// \param inputs       decks, images and tables
   /// \param is_continued  whether the run goes on from the checkpoint in the folder, wherever that is from
   void refuse_foreign_files(const std::vector<std::string>& inputs,
                             bool is_continued = false) const;
@@ -87,7 +88,7 @@ class RunFolder : public RunFiles {
   /// Leaves what an earlier run left, for this one goes on with it. Collective.
   void continue_results(base::Log& log) const;
 
-  /// A file is written and will not change. Collective.
+  /// A file is written and will not change: of the log, when its last line is there. Collective.
   void finish(const std::string& file) const;
   /// So are all of them but the log. Collective.
   void finish() const;

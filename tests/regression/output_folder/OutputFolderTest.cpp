@@ -108,6 +108,40 @@ TEST_F(OutputFolder, WhatWasChangedSinceIsTheUsers) {
   EXPECT_EQ(run("out").status, 0);
 }
 
+// V-FOLDER.
+TEST_F(OutputFolder, NotesUnderTheNameOfTheLogStay) {
+  ASSERT_EQ(run("out").status, 0);
+  const std::string log = content_of(folder_ / "out/log.txt"), notes = "my own lab notes\n";
+  for (const bool is_killed : {false, true}) {
+    SCOPED_TRACE(is_killed);
+    if (is_killed) leave_as_killed(folder_ / "out");
+    folder_.write("out/log.txt", notes);
+    for (const std::string more : {"", " --restart"})
+      expect_refused(run("out", "gel.yaml", more), "holds 'log.txt', which");
+    EXPECT_EQ(content_of(folder_ / "out/log.txt"), notes);
+    EXPECT_TRUE(fs::exists(folder_ / "out/history.csv"));
+  }
+  folder_.write("out/log.txt", log);
+  EXPECT_EQ(run("out").status, 0);
+  // The log that tells what was removed, too.
+  leave_as_killed(folder_ / "out");
+  EXPECT_EQ(run("out").status, 0);
+}
+
+// V-FOLDER.
+TEST_F(OutputFolder, ALogOfARunThatEndedStaysIfItWasAddedTo) {
+  ASSERT_EQ(run("out").status, 0);
+  const std::string log = content_of(folder_ / "out/log.txt");
+  folder_.write("out/log.txt", log + "look at step 2 again\n");
+  expect_refused(run("out"), "holds 'log.txt', which");
+  EXPECT_EQ(content_of(folder_ / "out/log.txt"), log + "look at step 2 again\n");
+  // Earlier versions took no checksum of the log.
+  const std::string files = content_of(folder_ / "out/.stroma_files");
+  folder_.write("out/.stroma_files",
+                std::regex_replace(files, std::regex("log.txt\t[0-9].*\n"), ""));
+  EXPECT_EQ(run("out").status, 0);
+}
+
 TEST_F(OutputFolder, ARefusedRunRemovesNothingAndLeavesNothing) {
   ASSERT_EQ(run("out").status, 0);
   const std::string history = content_of(folder_ / "out/history.csv");

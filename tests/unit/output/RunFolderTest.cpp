@@ -88,7 +88,7 @@ TEST(Manifest, KnowsWhatAKilledRunLeftByHowItBegins) {
   const TemporaryFolder folder;
   if (!base::Communicator::world().is_root()) return;
   output::Manifest manifest(folder.path());
-  manifest.begin({"history.csv", "grid.e"});
+  manifest.begin({"history.csv", "grid.e", "log.txt"});
   const auto is_own = [&](const std::string& name, const std::string& content) {
     std::ofstream(folder / name, std::ios::binary) << content;
     return output::Manifest(folder.path()).is_own(name);
@@ -98,6 +98,16 @@ TEST(Manifest, KnowsWhatAKilledRunLeftByHowItBegins) {
   EXPECT_TRUE(is_own("grid.e-s002.16.03", "\x89HDF"));
   EXPECT_FALSE(is_own("grid.e.2.0", "mine"));
   EXPECT_FALSE(is_own("notes.txt", ""));
+  const std::string note = "note: the lock of an earlier run was taken over\n";
+  for (const std::string first :
+       {"image      8 x 8 x 8 voxels", "removed     3 files", "goes on    after step 2",
+        "title       gel", "study       study.yaml: 2 members", "fit         fit.yaml: 1 number"}) {
+    EXPECT_TRUE(is_own("log.txt", first + "\n"));
+    EXPECT_TRUE(is_own("log.txt", note + first + "\n"));
+  }
+  EXPECT_TRUE(is_own("log.txt", ""));
+  EXPECT_FALSE(is_own("log.txt", "my own lab notes\nimage      8 x 8 x 8 voxels"));
+  EXPECT_FALSE(is_own("log.txt", note));
 }
 
 }  // namespace
