@@ -4,7 +4,6 @@
 
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
-#include <MueLu_MasterList.hpp>
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 
 #include "stroma/base/Log.hpp"
@@ -13,12 +12,6 @@
 
 namespace stroma::sections {
 namespace {
-
-Teuchos::RCP<const Teuchos::ParameterEntryValidator> one_of(
-    std::initializer_list<const char*> choices) {
-  Teuchos::Array<std::string> strings(choices.begin(), choices.end());
-  return Teuchos::rcp(new Teuchos::StringValidator(strings));
-}
 
 Teuchos::ParameterList valid_nox() {
   Teuchos::ParameterList valid;
@@ -101,13 +94,19 @@ void refuse_negative(const Teuchos::ParameterList& list, const Teuchos::Paramete
   }
 }
 
+}  // namespace
+
+Teuchos::RCP<const Teuchos::ParameterEntryValidator> one_of(
+    std::initializer_list<const char*> choices) {
+  Teuchos::Array<std::string> strings(choices.begin(), choices.end());
+  return Teuchos::rcp(new Teuchos::StringValidator(strings));
+}
+
 void check(const Teuchos::ParameterList& list, const Teuchos::ParameterList& valid,
            deck::Findings& findings) {
   deck::refuse_unknown(list, valid, findings);
   refuse_negative(list, valid, findings);
 }
-
-}  // namespace
 
 void check_nox(const Teuchos::ParameterList& list, deck::Findings& findings) {
   check(list, valid_nox(), findings);
@@ -121,13 +120,6 @@ void check_belos(const Teuchos::ParameterList& list, deck::Findings& findings) {
 
 void check_ifpack2(const Teuchos::ParameterList& list, deck::Findings& findings) {
   check(list, valid_ifpack2(), findings);
-}
-
-void check_muelu(const Teuchos::ParameterList& list, deck::Findings& findings) {
-  check(list, *MueLu::MasterList::List(), findings);
-  // MueLu crashes on none.
-  if (list.isType<int>("max levels") && list.get<int>("max levels") == 0)
-    findings.add("max levels", "found 0; admissible: at least 1");
 }
 
 }  // namespace stroma::sections

@@ -64,7 +64,7 @@ class MueLuPreconditioner : public Preconditioner {
       coarse.set("chebyshev: eigenvalue max iterations", 30);
       coarse.set("chebyshev: boost factor", 1.3);
     }
-    if (parameters.muelu != Teuchos::null) list_.setParameters(*parameters.muelu);
+    if (parameters.muelu != Teuchos::null) lay_over(*parameters.muelu);
   }
 
   void compute(const grid::RCP<const Operator>& tangent) override {
@@ -75,6 +75,22 @@ class MueLuPreconditioner : public Preconditioner {
   grid::RCP<const Operator> apply_inverse() const override { return hierarchy_; }
 
  private:
+  /// The deck's list over Stroma's own. Smoothers that it replaces take their parameters with them:
+  /// others would refuse these, or MueLu the mixture of "smoother: type" and "smoother: pre type".
+  void lay_over(const Teuchos::ParameterList& given) {
+    const auto replaces = [&](const std::string& type) {
+      return given.isType<std::string>(type) && given.get<std::string>(type) != "CHEBYSHEV";
+    };
+    const auto has = [&](const char* name) { return given.isParameter(name); };
+    const bool two_types = has("smoother: pre type") || has("smoother: post type");
+    const bool two_lists = has("smoother: pre params") || has("smoother: post params");
+    if (two_types || two_lists || replaces("smoother: type"))
+      list_.remove("smoother: params", false);
+    if (two_types) list_.remove("smoother: type", false);
+    if (replaces("coarse: type")) list_.remove("coarse: params", false);
+    list_.setParameters(given);
+  }
+
   Teuchos::ParameterList list_;
   grid::RCP<grid::MultiVector> modes_;
   grid::RCP<const Operator> hierarchy_;
