@@ -66,18 +66,24 @@ TEST(Rounding, IsToldAgainWhereItGrows) {
   EXPECT_LT(*std::max_element(residuals.begin() + 1, residuals.end()), 2.1 * told);
 }
 
-// Shear stresses beside which rounding of the pressure is large are no equilibrium, however small they
-// are beside the bulk modulus; and the advice names it.
-TEST(Rounding, OfPressuresIsNotTakenForRest) {
+// At the largest ratio of moduli that is admitted, the force is that of Poisson's ratio 0.4999 to 3e-4, or
+// steps are rejected, and the advice names the ratio; which of the two hangs on the last bits.
+TEST(Rounding, OfPressuresIsNotTakenForStress) {
+  const auto with_ratio = [&](const TemporaryFolder& folder, const std::string& ratio) {
+    return run_with(folder, " --set 'Materials|gel|Poisson Ratio=" + ratio +
+                                "' --set 'Materials|ball|Poisson Ratio=" + ratio +
+                                "' --set 'Solver|Preconditioner=Direct'");
+  };
   const TemporaryFolder folder;
-  const Outcome outcome = run_with(folder,
-                                   " --set 'Materials|gel|Poisson Ratio=0.49999999995'"
-                                   " --set 'Materials|ball|Poisson Ratio=0.49999999995'"
-                                   " --set 'Solver|Preconditioner=Direct'");
-  EXPECT_EQ(outcome.status, 1) << outcome.standard_output;
-  EXPECT_NE(outcome.standard_error.find("a bulk modulus is 1e+10 times the shear modulus"),
-            std::string::npos)
-      << outcome.standard_error;
+  ASSERT_EQ(with_ratio(folder, "0.4999").status, 0);
+  const double force = History(folder / "base/history.csv")["top.reaction_y"].back();
+  const Outcome outcome = with_ratio(folder, "0.49999999995");
+  if (outcome.status == 0)
+    EXPECT_NEAR(History(folder / "base/history.csv")["top.reaction_y"].back(), force, 1e-3 * force);
+  else
+    EXPECT_NE(outcome.standard_error.find("a bulk modulus is 1e+10 times the shear modulus"),
+              std::string::npos)
+        << outcome.standard_error;
 }
 
 TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {
