@@ -56,7 +56,7 @@ TEST(Resolution, AUniformBlockDoesNotDependOnItsElements) {
           << elements << ", " << ranks << " ranks";
 }
 
-// Twins: other shape functions, by the defaults, and a grid that is reset. Elements that are centred at
+// V-QUAD-2. Twins: other shape functions, by the defaults, and a grid that is reset. Elements that are centred at
 // nodes cut the particles of a full body, and none of them is barely filled.
 TEST(Resolution, HoldsForSplinesAndAGridThatIsReset) {
   const std::string tight =

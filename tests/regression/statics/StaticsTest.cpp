@@ -77,7 +77,7 @@ std::string pulled_and_pushed(const std::string& push, const std::string& pushin
          push + ", Load Curve: " + pushing + "}\n";
 }
 
-// Loads that balance each other at some load factors only, as at the end, where both are 0.
+// V-SUP-3. Loads that balance each other at some load factors only, as at the end, where both are 0.
 TEST(Statics, LoadsMustBalanceAtEveryLoad) {
   const TemporaryFolder folder;
   for (const int ranks : {1, 2})
