@@ -42,7 +42,10 @@ using HeldVisitor = std::function<void(const HeldComponent&)>;
 /// pieces for those of which it has a part, and none of the others.
 class BodyStatics {
  public:
-  /// \param loads  number of loads that are added (OtherActions::loads)
+  /// \param halo    of the grid; it and the pieces must stay
+  /// \param pieces  of the body
+  /// \param body    the lattice of elements that fills its box
+  /// \param loads   number of loads that are added (OtherActions::loads)
   BodyStatics(const grid::Halo& halo, const Pieces& pieces, const grid::Grid& body,
               std::size_t loads);
 
