@@ -31,7 +31,9 @@ struct Bodies {
 /// element that they share. Nothing is done when all of the body is out of reach. Collective.
 ///
 /// Memory: 9 bytes a voxel, for a while, where some are empty.
-/// \param reach  none: nothing is left out
+/// \param communicator  of the ranks that share the volume
+/// \param labels        of the voxels
+/// \param reach         none: nothing is left out
 /// \returns what is left
 Bodies leave_out_fragments(const base::Communicator& communicator, voxels::LabelVolume& labels,
                            const std::optional<FaceReach>& reach);

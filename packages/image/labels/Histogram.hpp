@@ -84,6 +84,7 @@ double otsu_threshold(const Histogram& histogram);
 /// statistics (the convention of most numerical libraries). Exact for levels, else between the values
 /// of a bin.
 /// \param histogram  of levels, or with extremes
+/// \param percent    from 0 to 100
 double percentile(const Histogram& histogram, double percent);
 
 /// Fraction of the voxels with a value > threshold. Collective.

@@ -32,7 +32,9 @@ struct Widths {
 };
 
 /// (label asked for) Collective.
-/// \param wanted  no label twice
+/// \param communicator  of the ranks that share the volume
+/// \param labels        of the voxels
+/// \param wanted        no label twice
 std::vector<Widths> widths(const base::Communicator& communicator,
                            const voxels::LabelVolume& labels,
                            const std::vector<std::int32_t>& wanted);

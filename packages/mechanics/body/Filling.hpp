@@ -22,7 +22,11 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank);
 /// their volume at the base configuration. On grids whose elements are centred at nodes, their faces
 /// cut domains of particles, and each element gets its part of them, by the boxes around the domains
 /// as deformed; else a particle counts for the element that it lies in. Collective.
-/// \param domains  of the particles, where the grid is such a one
+/// \param halo       of the grid
+/// \param box        this rank's part of it
+/// \param particles  in its elements
+/// \param domains    of the particles, where elements are centred at nodes
+/// \param share      of an element that is enough
 Kokkos::View<double*, grid::Device> missing_volume(
     const grid::Halo& halo, const transfer::ElementBox& box,
     const particles::Particles<grid::Device>& particles,
