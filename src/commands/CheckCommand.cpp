@@ -15,7 +15,6 @@
 #include "stroma/grid/ShapeGrid.hpp"
 #include "stroma/image/labels/Objects.hpp"
 #include "stroma/image/labels/Segmentation.hpp"
-#include "stroma/image/labels/Widths.hpp"
 #include "stroma/solver/IterationTraffic.hpp"
 #include "stroma/solver/TrialSolve.hpp"
 
@@ -41,6 +40,7 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
   for (const std::string& note : summary.notes) log.note(note);
 
   const auto fractions = image::volume_fractions(communicator, labels);
+  std::size_t m = 0;
   for (const auto& [name, material] : deck.parameters.materials.materials) {
     const auto found = fractions.find(material.label);
     const double fraction = found == fractions.end() ? 0.0 : found->second;
@@ -61,7 +61,7 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
       log.line(list);
     }
     if (material.label > 0 && fraction > 0.0) {
-      const image::Widths widths = image::widths(communicator, labels, {material.label}).front();
+      const image::Widths& widths = specimen.widths[m];
       const auto& chords = widths.chords;
       if (std::isfinite(widths.tubes))
         log.line(format(
@@ -70,6 +70,7 @@ void check_image(const base::Communicator& communicator, const Deck& deck, const
             name.c_str(), chords[0], chords[1], chords[2], chords[0] / spacing[0],
             chords[1] / spacing[1], chords[2] / spacing[2], widths.tubes));
     }
+    ++m;
   }
   if (fractions.count(-1) > 0) log.line(format("fraction    empty (-1): %.6f", fractions.at(-1)));
   std::vector<double> shares;

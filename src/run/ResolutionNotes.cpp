@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "stroma/base/Log.hpp"
-#include "stroma/image/labels/Widths.hpp"
 #include "stroma/shape/ShapeFunctions.hpp"
 
 namespace stroma {
@@ -49,17 +48,13 @@ void tell_few_elements(const std::string& material, const image::Widths& widths,
 
 }  // namespace
 
-std::vector<std::string> resolution_notes(const base::Communicator& communicator,
-                                          const DeckParameters& p, const Specimen& specimen,
-                                          const voxels::LabelVolume& labels) {
+std::vector<std::string> resolution_notes(const DeckParameters& p, const Specimen& specimen) {
   std::vector<std::string> notes;
   tell_few_particles(shape::kind_of(p.grid.shape_functions), specimen, notes);
-  std::vector<std::int32_t> wanted;
-  for (const auto& [name, material] : p.materials.materials) wanted.push_back(material.label);
-  const std::vector<image::Widths> widths = image::widths(communicator, labels, wanted);
   std::size_t m = 0;
   for (const auto& [name, material] : p.materials.materials) {
-    if (!material::is_pressure(material)) tell_few_elements(name, widths[m], specimen.body, notes);
+    if (!material::is_pressure(material))
+      tell_few_elements(name, specimen.widths[m], specimen.body, notes);
     ++m;
   }
   return notes;

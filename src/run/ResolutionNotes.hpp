@@ -10,19 +10,14 @@
 
 #include "run/Deck.hpp"
 #include "run/Specimen.hpp"
-#include "stroma/base/Communicator.hpp"
-#include "stroma/voxels/Volume.hpp"
 
 namespace stroma {
 
 /// A note for each axis along which splines have more functions than there are particles, and for each
 /// material whose straight ways from wall to wall are shorter than two elements on the average: its
 /// bending is not resolved. Axes along which a material goes through the whole image, and those of a
-/// single slice, do not count; nor do materials that are a pressure. Collective.
-/// \param labels  of the specimen's voxels
-std::vector<std::string> resolution_notes(const base::Communicator& communicator,
-                                          const DeckParameters& parameters,
-                                          const Specimen& specimen,
-                                          const voxels::LabelVolume& labels);
+/// single slice, do not count; nor do materials that are a pressure.
+std::vector<std::string> resolution_notes(const DeckParameters& parameters,
+                                          const Specimen& specimen);
 
 }  // namespace stroma

@@ -147,6 +147,18 @@ std::vector<std::string> traction_notes(const base::Communicator& communicator,
 
 }  // namespace
 
+namespace {
+
+std::vector<image::Widths> widths_of(const base::Communicator& communicator,
+                                     const material::NamedMaterials& materials,
+                                     const voxels::LabelVolume& labels) {
+  std::vector<std::int32_t> wanted;
+  for (const auto& [name, material] : materials) wanted.push_back(material.label);
+  return image::widths(communicator, labels, wanted);
+}
+
+}  // namespace
+
 Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                        const SpecimenImage& image) {
   const base::Stage stage("particles");
@@ -178,6 +190,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
                     particles,
                     particles::layout_sizes(p.particles, grid, labels.size, labels.voxel_size),
                     particles::layout_notes(p.particles, grid, labels.size),
+                    widths_of(communicator, materials, labels),
                     image.bodies,
                     0,
                     "",
@@ -193,8 +206,7 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   if (!locking.empty()) specimen.notes.push_back(locking);
   const std::string crossing = crossing_note(p.grid);
   if (!crossing.empty()) specimen.notes.push_back(crossing);
-  for (std::string& note : resolution_notes(communicator, p, specimen, labels))
-    specimen.notes.push_back(std::move(note));
+  for (std::string& note : resolution_notes(p, specimen)) specimen.notes.push_back(std::move(note));
   for (std::string& note : unused_materials_notes(communicator, materials, specimen.particles))
     specimen.notes.push_back(std::move(note));
   for (std::string& note : seen.notes) specimen.notes.push_back(std::move(note));

@@ -13,6 +13,7 @@
 #include "stroma/base/Communicator.hpp"
 #include "stroma/grid/Partition.hpp"
 #include "stroma/image/formats/ImageSummary.hpp"
+#include "stroma/image/labels/Widths.hpp"
 #include "stroma/mechanics/MomentumBalance.hpp"
 #include "stroma/solver/Advice.hpp"
 #include "stroma/voxels/Volume.hpp"
@@ -34,10 +35,11 @@ struct Specimen {
   grid::Partition partition;  ///< of the grid that the shape functions need over it
   particles::Particles<grid::Device> particles;  ///< of the undeformed body
   particles::LayoutSizes layout;
-  std::vector<std::string> notes;  ///< what a user should know of grid and particles
-  std::int64_t bodies;             ///< that the image's filled voxels make, by faces of voxels
-  std::int64_t particle_count;     ///< over all ranks
-  std::string dilatation;          ///< which one, and why
+  std::vector<std::string> notes;     ///< what a user should know of grid and particles
+  std::vector<image::Widths> widths;  ///< (material) of its voxels
+  std::int64_t bodies;                ///< that the image's filled voxels make, by faces of voxels
+  std::int64_t particle_count;        ///< over all ranks
+  std::string dilatation;             ///< which one, and why
   /// The softest and stiffest of the particles of each material, where they differ; else empty.
   std::vector<material::SmallStrainModuli> extremes;
   std::vector<std::vector<int>> own_numbers;  ///< (material) that particles give (OwnNumbers)

@@ -72,19 +72,20 @@ std::vector<Counts> counted(const base::Communicator& communicator,
     const std::int32_t* upper = k + 1 < labels.planes ? labels.plane(k + 1)
                                 : next.empty()        ? nullptr
                                                       : next.data();
-    for (std::int64_t v = 0; v < nx * ny; ++v) {
-      const std::int32_t label = plane[v];
-      counting.add(label);
-      const auto look = [&](std::size_t axis, const std::int32_t* neighbour) {
-        if (!neighbour)
-          counting.end(label, axis);
-        else if (*neighbour != label)
-          counting.change(label, *neighbour, axis);
-      };
-      look(0, v % nx + 1 < nx ? plane + v + 1 : nullptr);
-      look(1, v + nx < nx * ny ? plane + v + nx : nullptr);
-      look(2, upper ? upper + v : nullptr);
-    }
+    for (std::int64_t j = 0, v = 0; j < ny; ++j)
+      for (std::int64_t i = 0; i < nx; ++i, ++v) {
+        const std::int32_t label = plane[v];
+        counting.add(label);
+        const auto look = [&](std::size_t axis, const std::int32_t* neighbour) {
+          if (!neighbour)
+            counting.end(label, axis);
+          else if (*neighbour != label)
+            counting.change(label, *neighbour, axis);
+        };
+        look(0, i + 1 < nx ? plane + v + 1 : nullptr);
+        look(1, j + 1 < ny ? plane + v + nx : nullptr);
+        look(2, upper ? upper + v : nullptr);
+      }
   }
   return counting.sum(communicator);
 }
