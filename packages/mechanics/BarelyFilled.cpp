@@ -45,8 +45,8 @@ std::string barely_filled_note(const MomentumBalance& balance) {
   const std::int64_t count = count_barely_filled(balance);
   if (count == 0) return "";
   const double stabilization = balance.problem().method.stabilization;
-  return base::format("%lld elements are filled by less than half; ",
-                      static_cast<long long>(count)) +
+  return base::format("%lld element%s filled by less than half; ", static_cast<long long>(count),
+                      count == 1 ? " is" : "s are") +
          (stabilization > 0.0
               ? base::format("Grid|Stabilization = %g keeps their nodes in place", stabilization)
               : "with Grid|Stabilization = 0 some of their nodes may be held by nothing");

@@ -235,7 +235,7 @@ void simulate(const base::Communicator& communicator, const Deck& deck, const Ru
   Tables tables(communicator, deck, specimen, image->labels);
   image.reset();
   // An image may be of several files: data beside a header, slices.
-  folder.refuse_foreign_files(specimen.files, options.is_restart);
+  folder.refuse_inputs(specimen.files, options.is_restart);
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
   if (before) before->require_images(files);
 

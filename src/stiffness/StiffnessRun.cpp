@@ -121,7 +121,7 @@ void find_stiffness(const base::Communicator& communicator, const Deck& deck,
       {},
       {}};
   const mechanics::NamedBoundaries wanted = possible_boundaries(deck, results.face_shares, log);
-  folder.refuse_foreign_files(specimen.files);  // data beside a header, slices
+  folder.refuse_inputs(specimen.files);  // data beside a header, slices
   const std::vector<KnownFile> files = known_files(communicator, specimen.files);
   bool is_begun = false;
   const auto begin = [&](const mechanics::MomentumBalance& balance) {

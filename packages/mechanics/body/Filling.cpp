@@ -29,6 +29,10 @@ transfer::ElementBox element_box(const grid::Partition& partition, int rank) {
 
 namespace {
 
+/// An element that holds its share to within this is full enough: ranks add parts up in orders of
+/// their own, and what is filled by a half exactly must be so on any number of them.
+constexpr double rounding = 1e-9;
+
 /// Deformation gradient less the identity, at the base configuration.
 KOKKOS_INLINE_FUNCTION tensor::Tensor3 base_gradient(
     const particles::Particles<grid::Device>& particles, int p) {
@@ -133,7 +137,8 @@ Kokkos::View<double*, grid::Device> missing_volume(
           box.within_ends(d, index[d], lower, upper);
           element_volume *= (upper - lower) * box.spacing[d];
         }
-        if (filled(e) < share * element_volume) missing(e) = element_volume - filled(e);
+        if (filled(e) < (1.0 - rounding) * share * element_volume)
+          missing(e) = element_volume - filled(e);
       });
   return missing;
 }

@@ -18,7 +18,7 @@ namespace stroma::mechanics {
 transfer::ElementBox element_box(const grid::Partition& partition, int rank);
 
 /// (local element) the volume that an element lacks to being full, between the ends of the grid
-/// [um^3]; 0 where particles fill it by a larger share, and where none lies in it. Particles have
+/// [um^3]; 0 where particles fill it by the share or more, and where none lies in it. Particles have
 /// their volume at the base configuration. On grids whose elements are centred at nodes, their faces
 /// cut domains of particles, and each element gets its part of them, by the boxes around the domains
 /// as deformed; else a particle counts for the element that it lies in. Collective.

@@ -66,12 +66,28 @@ bool leads_to(const fs::path& file, const fs::path& path) {
 }
 
 /// For one rank. \param what  the run would do to the file
-void refuse_inputs(const std::string& folder, const std::string& file,
-                   const std::vector<std::string>& inputs, const std::string& what) {
-  for (const std::string& input : inputs)
-    if (leads_to(fs::path(folder) / file, input))
-      throw base::InputError("the output folder '" + folder + "' holds '" + input + "' as '" +
-                             file + "', " + what + "; choose another folder (-o)");
+void refuse_input(const std::string& folder, const std::string& file, const std::string& input,
+                  const std::string& what) {
+  throw base::InputError("the output folder '" + folder + "' holds '" + input + "' as '" + file +
+                         "', " + what + "; choose another folder (-o)");
+}
+
+/// For one rank; see RunFolder::refuse_inputs().
+void refuse_inputs_of(const std::string& folder, const std::vector<std::string>& names,
+                      const std::vector<std::string>& inputs) {
+  const auto leads_here = [&](const std::string& file) {
+    return std::find_if(inputs.begin(), inputs.end(), [&](const std::string& input) {
+      return leads_to(fs::path(folder) / file, input);
+    });
+  };
+  for (const std::string& file : files_of(folder, names))
+    if (const auto input = leads_here(file); input != inputs.end())
+      refuse_input(folder, file, *input, "a name that the run writes to");
+  const Manifest manifest(folder);
+  for (const std::string& file : manifest.files())
+    if (const auto input = leads_here(file); input != inputs.end() && manifest.is_own(file))
+      refuse_input(folder, file, *input,
+                   "which an earlier run left there and this one would remove");
 }
 
 /// For one rank; see refuse_foreign_files().
@@ -79,19 +95,14 @@ void refuse(const std::string& folder, int ranks, const std::vector<std::string>
             const std::vector<std::string>& inputs) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) return;
+  refuse_inputs_of(folder, names, inputs);
   const fs::path pictures = fs::path(folder) / "pictures";
   std::vector<std::string> foreign;
   if (fs::exists(fs::symlink_status(pictures, ignored)) && !fs::is_directory(pictures, ignored))
     foreign.emplace_back("pictures");
   const Manifest manifest(folder);
-  for (const std::string& file : files_of(folder, names)) {
-    refuse_inputs(folder, file, inputs, "a name that the run writes to");
+  for (const std::string& file : files_of(folder, names))
     if (!manifest.is_own(file) && is_written_on(ranks, file)) foreign.push_back(file);
-  }
-  for (const std::string& file : manifest.files())
-    if (manifest.is_own(file))
-      refuse_inputs(folder, file, inputs,
-                    "which an earlier run left there and this one would remove");
   if (foreign.empty()) return;
   throw base::InputError("the output folder '" + folder + "' holds " + list_of(foreign) +
                          ", which the run would overwrite, and which no run of Stroma is known to "
@@ -196,12 +207,22 @@ std::string RunFiles::grid(int number) const {
   return file(number == 1 ? "grid.e" : base::format("grid.e-s%03d", number));
 }
 
-void RunFolder::refuse_foreign_files(const std::vector<std::string>& inputs,
-                                     bool is_continued) const {
+std::vector<std::string> RunFolder::names(bool is_continued) const {
   std::vector<std::string> names = names_;
   if (is_continued)
     names.erase(std::remove(names.begin(), names.end(), "checkpoint.h5"), names.end());
-  output::refuse_foreign_files(communicator_, folder(), names, inputs);
+  return names;
+}
+
+void RunFolder::refuse_foreign_files(const std::vector<std::string>& inputs,
+                                     bool is_continued) const {
+  output::refuse_foreign_files(communicator_, folder(), names(is_continued), inputs);
+}
+
+void RunFolder::refuse_inputs(const std::vector<std::string>& inputs, bool is_continued) const {
+  base::collectively(communicator_, [&] {
+    if (communicator_.is_root()) refuse_inputs_of(folder(), names(is_continued), inputs);
+  });
 }
 
 void RunFolder::remove_old_results(base::Log& log) const {

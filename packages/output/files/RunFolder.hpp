@@ -78,6 +78,8 @@ class RunFolder : public RunFiles {
   /// \param is_continued  whether the run goes on from the checkpoint in the folder, wherever that is from
   void refuse_foreign_files(const std::vector<std::string>& inputs,
                             bool is_continued = false) const;
+  /// Of the above what regards inputs that are known only later: data beside a header, slices.
+  void refuse_inputs(const std::vector<std::string>& inputs, bool is_continued = false) const;
 
   /// Removes what an earlier run left, of any number of ranks, so that no stale file passes for a
   /// result of this run; only what a run is known to have left, as it left it. From now on, files
@@ -98,6 +100,9 @@ class RunFolder : public RunFiles {
 
  private:
   struct Hold;
+
+  /// Of the files to be written; a run that goes on has its checkpoint already.
+  std::vector<std::string> names(bool is_continued) const;
 
   base::Communicator communicator_;
   std::vector<std::string> names_;
