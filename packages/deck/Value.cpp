@@ -310,8 +310,9 @@ Interpretation interpret(const tree::Parameter& parameter, const ValueType& type
   if (!is_yaml && split_list(parameter.text, parameter.form == Form::untyped_text, entries)) {
     return read_array(entries, type);
   }
-  return {std::nullopt,
-          quoted(parameter.text) + " is not a list; write " + (is_yaml ? "[a, b]" : "{a, b}")};
+  const std::string entries_meant = type.length == 3 ? "a, b, c" : "a, b";
+  return {std::nullopt, quoted(parameter.text) + " is not a list; write " +
+                            (is_yaml ? "[" + entries_meant + "]" : "{" + entries_meant + "}")};
 }
 
 Interpretation interpret_freely(const tree::Parameter& parameter, ValueType& type) {

@@ -179,6 +179,21 @@ void refuse_open_quote(const std::string& text, const YAML::Mark& mark) {
   throw NoDeck{mark.line + 1, "the quote that opens here is never closed"};
 }
 
+/// What often stands behind a message of the parser, which tells where it gave up.
+std::string hint(const std::string& text, const std::string& message) {
+  std::istringstream lines(text);
+  int number = 1;
+  for (std::string line; std::getline(lines, line); ++number)
+    if (const std::size_t tab = line.find('\t');
+        tab != std::string::npos && tab < line.find_first_not_of(" \t"))
+      return "; line " + std::to_string(number) + " is indented by a tab; YAML takes blanks";
+  const auto says = [&](const char* words) { return message.find(words) != std::string::npos; };
+  if (says("map flow") || says("flow map")) return "; within { }, names with [ ] stand in quotes";
+  if (says("illegal map value"))
+    return "; \"name: value\" has a blank behind its colon, here and in the line before";
+  return "";
+}
+
 }  // namespace
 
 ParsedTree parse_yaml(const std::string& text, const std::string& path) {
@@ -194,10 +209,8 @@ ParsedTree parse_yaml(const std::string& text, const std::string& path) {
   } catch (const NoDeck& error) {
     throw malformed(path, error.line, error.reason);
   } catch (const YAML::Exception& error) {
-    const bool in_braces = error.msg.find("flow map") != std::string::npos;
     throw malformed(path, std::max(1, error.mark.line + 1),
-                    "not well-formed YAML: " + error.msg +
-                        (in_braces ? "; within { }, names with [ ] stand in quotes" : ""));
+                    "not well-formed YAML: " + error.msg + hint(text, error.msg));
   }
 }
 

@@ -118,7 +118,9 @@ deck::Section<BoundaryConditionsParameters> boundary_conditions_section() {
     if (p.penalty_factor && p.imposed_by != ImposedBy::penalty)
       findings.add("Penalty Factor", "is used with Imposed By = Penalty only");
     if (p.strain && !(*p.strain > -1.0))
-      findings.add("Strain", "a body cannot be compressed by 100 % or more; admissible: > -1");
+      findings.add(
+          "Strain",
+          "a body cannot be compressed by 100 % or more; admissible: > -1, a share, not in per cent");
   });
 
   deck::Section<BoundaryConditionsParameters> section(

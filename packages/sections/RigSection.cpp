@@ -76,7 +76,9 @@ void check_sizes(const RigParameters& p, const Rig& rig, deck::Findings& finding
     findings.add("Displacement [um]", rig.name + " needs a compression; admissible: a number < 0");
   const auto check_length = [&](const std::string& name, double strain) {
     if (!(strain > -1.0))
-      findings.add(name, "a body cannot be compressed by 100 % or more; admissible: > -1");
+      findings.add(
+          name,
+          "a body cannot be compressed by 100 % or more; admissible: > -1, a share, not in per cent");
   };
   if (p.strain && !p.direction) check_length("Strain", *p.strain);
   if (p.strains) check_length("Strains", std::min((*p.strains)[0], (*p.strains)[1]));

@@ -69,7 +69,7 @@ std::vector<std::string> advice(const Circumstances& known) {
                   (known.stabilization > 0.0
                        ? format("a larger Grid|Stabilization (now %g)", known.stabilization)
                        : std::string("Grid|Stabilization = 1e-4 keeps their nodes in place")));
-  const bool is_steep = known.contrast > resolved;
+  const bool is_steep = known.contrast >= resolved;
   if (is_steep)
     all.push_back(format("the stiffest material is %.2g times stiffer than the softest, and errors "
                          "of rounding grow with that: ",

@@ -115,7 +115,9 @@ std::string missed_note(const std::string& where, const LoadCurve& curve, double
     high = std::max(high, point.value);
   }
   const Point own = *std::max_element(within.begin(), within.end(), is_less);
-  const Point most = *std::max_element(met.begin(), met.end(), is_less);
+  const Point most =
+      std::max({*std::max_element(met.begin(), met.end(), is_less), Point{0.0, curve.at(0.0)}},
+               is_less);  // the run begins with the curve's start
   if (sign * (own.value - most.value) <= noticeable * (high - low)) return "";
   const auto after = std::upper_bound(met.begin(), met.end() - 1, own.load,
                                       [](double load, const Point& p) { return load < p.load; });

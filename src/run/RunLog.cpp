@@ -119,9 +119,22 @@ void RunLog::compare_pieces(const mechanics::PiecesSummary& before, const mechan
                             double load) {
   const mechanics::PiecesSummary& after = now.pieces();
   if (after.count == before.count && after.carried == before.carried) return;
-  log_->note(format("at load %.6g the body is in %lld pieces instead of %lld", load,
-                    static_cast<long long>(after.count), static_cast<long long>(before.count)));
+  log_->note(format("at load %.6g the body is in %lld piece%s instead of %lld", load,
+                    static_cast<long long>(after.count), after.count == 1 ? "" : "s",
+                    static_cast<long long>(before.count)));
   for (const std::string& note : now.notes()) log_->note(note);
+}
+
+void RunLog::filling(const mechanics::MomentumBalance& balance, double load) {
+  if (has_told_of_filling_ || !deck_->parameters.grid.reset) return;
+  const std::string note = mechanics::barely_filled_note(balance);
+  if (note.empty()) return;
+  has_told_of_filling_ = true;
+  if (load == 0.0) return;  // told with the body
+  const bool is_stiffened = balance.problem().method.stabilization > 0.0;
+  log_->note(
+      format("from load %.6g on, ", load) + note +
+      (is_stiffened ? ", and stiffens the body: less of it, or more steps, show by how much" : ""));
 }
 
 void RunLog::accepted(const solver::StepControl& load, const solver::NewtonResult& solved) {
@@ -193,7 +206,9 @@ void RunLog::rejected(double load, const std::string& reason) {
 }
 
 void RunLog::stabilization(const mechanics::MovingBody& body) {
-  if (deck_->parameters.grid.reset || mechanics::count_barely_filled(body.balance()) == 0) return;
+  if (deck_->parameters.grid.reset || body.balance().problem().method.stabilization == 0.0 ||
+      mechanics::count_barely_filled(body.balance()) == 0)
+    return;
   log_->note(format("Grid|Stabilization adds %.1e to the stiffness of the body, to first order",
                     mechanics::stabilization_share(body.balance(), body.displacement())));
 }

@@ -38,6 +38,8 @@ class RunLog {
   /// Says so when the body came apart, or together, with the grid's reset.
   void compare_pieces(const mechanics::PiecesSummary& before, const mechanics::Supports& now,
                       double load);
+  /// Says once that elements have become barely filled with the grid's reset. Collective.
+  void filling(const mechanics::MomentumBalance& balance, double load);
   /// An accepted step, and, once each, what a converged one leaves to be said.
   void accepted(const solver::StepControl& load, const solver::NewtonResult& solved);
   /// Says once where the body, as it is after the accepted step of a row, has lost ellipticity.
@@ -58,7 +60,7 @@ class RunLog {
   double start_;
   std::string step_ = {};      ///< that is being solved, as the line of progress has it
   double full_load_at_ = 0.0;  ///< seconds() by the steps so far; 0: none yet
-  bool has_told_of_holds_ = false, has_told_of_localization_ = false;
+  bool has_told_of_holds_ = false, has_told_of_localization_ = false, has_told_of_filling_ = false;
   double most_energy_ = 0.0;       ///< of strain, in the steps so far [aJ]
   double told_of_rounding_ = 0.0;  ///< the largest residual of which it was said
 };

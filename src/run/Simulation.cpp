@@ -158,6 +158,7 @@ std::optional<solver::NewtonResult> Run::try_step(std::optional<grid::Vector>& t
     const mechanics::PiecesSummary before = body.balance().supports().pieces();
     solver::begin_step(body, *newton);
     say.compare_pieces(before, body.balance().supports(), load.load());
+    say.filling(body.balance(), load.load());
     trial.emplace(body.balance().owned_map());
     const solver::NewtonResult solved = solver::solve_step(body, *newton, load.next(), *trial);
     if (load.is_too_long(solved.time_error))

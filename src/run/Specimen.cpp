@@ -210,7 +210,8 @@ Specimen make_specimen(const base::Communicator& communicator, const Deck& deck,
   for (std::string& note : unused_materials_notes(communicator, materials, specimen.particles))
     specimen.notes.push_back(std::move(note));
   for (std::string& note : seen.notes) specimen.notes.push_back(std::move(note));
-  for (std::string& note : load_notes(p, labels.size[2])) specimen.notes.push_back(std::move(note));
+  for (std::string& note : load_notes(p, specimen.body.lengths(), labels.size[2]))
+    specimen.notes.push_back(std::move(note));
   for (std::string& note : notes_without_effect(p)) specimen.notes.push_back(std::move(note));
   for (const auto& [name, curve] : p.load_curves.curves)
     if (is_followed(p, name))

@@ -121,7 +121,11 @@ void read_imaris_attributes(hid_t file, Hdf5Place& place) {
     const std::string number = std::to_string(axis);
     const auto low = number_in(text_attribute(info.get(), ("ExtMin" + number).c_str()));
     const auto high = number_in(text_attribute(info.get(), ("ExtMax" + number).c_str()));
-    if (!low || !high) continue;
+    if (!low || !high) {
+      place.notes.push_back(
+          base::format("Imaris: the extents along %c are not stated as numbers", "xyz"[axis]));
+      continue;
+    }
     const double length = (*high - *low) / static_cast<double>(size[axis]) * um.value_or(0.0);
     if (length > 0.0 && std::isfinite(length)) {
       place.voxel_size.set(static_cast<int>(axis), length, "Imaris extents");

@@ -4,6 +4,7 @@
 /// Bio-Rad PIC, the format of the MRC confocal microscopes: a header of 76 bytes, planes of 8 or 16
 /// bit values, then notes of 96 bytes, all little-endian.
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -18,6 +19,13 @@ namespace {
 
 constexpr std::int64_t header_bytes = 76;
 constexpr std::size_t note_bytes = 96;
+
+/// Whether a note may be what somebody wrote: not what a plane holds.
+bool is_text(const std::string& line) {
+  return std::none_of(line.begin(), line.end(), [](char c) {
+    return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r';
+  });
+}
 
 class PicSource : public ImageSource {
  public:
@@ -37,7 +45,19 @@ class PicSource : public ImageSource {
                length - static_cast<std::uint64_t>(header_bytes), 1.0);
     check_channel(request.path, request.channel, 1);
     const bool has_notes = header[10] || header[11] || header[12] || header[13];
-    if (has_notes) read_notes(file);
+    const bool are_notes = has_notes && read_notes(file);
+    const auto behind = static_cast<std::int64_t>(length) - end_of_planes();
+    if (has_notes && !(are_notes && behind % static_cast<std::int64_t>(note_bytes) == 0))
+      summary_.notes.push_back(base::format(
+          "the header counts %lld planes and says that notes follow, but the %lld bytes behind them "
+          "are no notes of 96 bytes each: it may count too few planes, or too many, of which notes "
+          "are part then",
+          static_cast<long long>(summary_.file_size[2]), static_cast<long long>(behind)));
+    else if (!has_notes && behind > 0)
+      summary_.notes.push_back(base::format(
+          "the file holds %lld bytes more than the planes that its header announces; they are not "
+          "read",
+          static_cast<long long>(behind)));
   }
 
   void read(const voxels::Box& box, double* values) override {
@@ -45,18 +65,25 @@ class PicSource : public ImageSource {
   }
 
  private:
+  std::int64_t end_of_planes() const {
+    const auto& size = summary_.file_size;
+    return header_bytes + size[0] * size[1] * size[2] * summary_.type.bytes;
+  }
+
   /// AXIS_2, AXIS_3 and AXIS_4 calibrate x, y and z: "AXIS_2 257 0.000000e+00 1.050000e+00
   /// microns", that is name, type (its low byte 1: a linear axis with a length), origin, increment,
-  /// unit.
-  void read_notes(std::ifstream& file) {
-    const auto& size = summary_.file_size;
-    file.seekg(header_bytes + size[0] * size[1] * size[2] * summary_.type.bytes);
+  /// unit. \return whether there are notes, all of them text
+  bool read_notes(std::ifstream& file) {
+    file.seekg(end_of_planes());
     char note[note_bytes];
-    bool more = true;
+    bool more = true, are_text = true;
+    int count = 0;
     while (more && file.read(note, note_bytes)) {
       more = note[2] || note[3] || note[4] || note[5];
-      const std::string line(note + 16, note_bytes - 16);
-      std::istringstream text(line.substr(0, line.find('\0')));
+      const std::string field(note + 16, note_bytes - 16), line = field.substr(0, field.find('\0'));
+      are_text = are_text && is_text(line);
+      ++count;
+      std::istringstream text(line);
       std::string name, unit;
       int type = 0;
       double origin = 0.0, increment = 0.0;
@@ -66,6 +93,7 @@ class PicSource : public ImageSource {
         continue;
       take_axis(name[5] - '2', name, increment, unit);
     }
+    return count > 0 && are_text;
   }
 
   /// The microscopes' own unit is the micrometre; some writers leave it out.

@@ -164,6 +164,9 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
           if (!applies) continue;
           ++nodes_of_condition[static_cast<std::size_t>(m)];
           const auto X = condition.carried_from(x, base_load_, body.origin, length);
+          if (grid.flat && c == 2)
+            if (const auto moved = disagreement({condition, X}, {{}, X}, c, body.origin, length))
+              throw base::InputError(moved_across_plane_strain(name_of(m), *moved));
           if (by == conditions_) {
             by = m;
             X_by = X;
@@ -173,13 +176,7 @@ void Supports::prescribe_faces(const Problem& problem, const SupportedBody& supp
           }
         }
         const bool is_moved = by >= 0 && by < conditions_;
-        if (grid.flat && c == 2 && node_is_active) {
-          if (!is_moved)
-            by = plane_strain;
-          else if (const auto found =
-                       disagreement({condition_of(by), X_by}, {{}, X_by}, c, body.origin, length))
-            throw base::InputError(conflict(name_of(by), "", c, x, *found));
-        }
+        if (grid.flat && c == 2 && node_is_active && !is_moved) by = plane_strain;
         if (by == conditions_) continue;
         held_owned_[n] = static_cast<std::uint8_t>(held_owned_[n] | 1u << c);
         const int unknown = static_cast<int>(3 * n) + c;

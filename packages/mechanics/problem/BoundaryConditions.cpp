@@ -194,13 +194,20 @@ std::optional<Disagreement> disagreement(const ConditionAt& a, const ConditionAt
 std::string conflict(const std::string& first, const std::string& second, int component,
                      const std::array<double, 3>& x, const Disagreement& found) {
   return base::format(
-      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of %s, %.10g um, differ at "
+      "Boundary Conditions|%s: its %c displacement, %.10g um, and that of \"%s\", %.10g um, differ at "
       "their common point (%g, %g, %g) um%s; admissible: equal values, or %c left out of the "
       "Components of one of them",
-      first.c_str(), "xyz"[component], found.a,
-      second.empty() ? "plane strain" : ("\"" + second + "\"").c_str(), found.b, x[0], x[1], x[2],
+      first.c_str(), "xyz"[component], found.a, second.c_str(), found.b, x[0], x[1], x[2],
       found.load == 1.0 ? "" : base::format(" at %g of the load", found.load).c_str(),
       "xyz"[component]);
+}
+
+std::string moved_across_plane_strain(const std::string& name, const Disagreement& found) {
+  return base::format(
+      "Boundary Conditions|%s: its z displacement is %.10g um%s, and Grid|Plane Strain holds z "
+      "everywhere; admissible: motions along x and y, or Plane Strain = false",
+      name.c_str(), found.a,
+      found.load == 1.0 ? "" : base::format(" at %g of the load", found.load).c_str());
 }
 
 std::string no_particle_at(const std::string& section, const std::string& face) {

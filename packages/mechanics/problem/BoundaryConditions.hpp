@@ -168,10 +168,11 @@ std::optional<Disagreement> disagreement(const ConditionAt& a, const ConditionAt
                                          const std::array<double, 3>& corner,
                                          const std::array<double, 3>& length);
 
-/// What to tell the user when two conditions (or one, and plane strain: second = "") disagree on a
-/// component at a point x [um].
+/// What to tell the user when two conditions disagree on a component at a point x [um].
 std::string conflict(const std::string& first, const std::string& second, int component,
                      const std::array<double, 3>& x, const Disagreement& found);
+/// And of a condition that moves a slice in plane strain along z, by found.a.
+std::string moved_across_plane_strain(const std::string& name, const Disagreement& found);
 /// What to tell the user when the face of a condition or a traction, or one of all faces, has no
 /// particle.
 std::string no_particle_at(const std::string& section, const std::string& face = "this face");

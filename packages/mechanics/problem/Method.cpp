@@ -38,10 +38,16 @@ std::string describe_dilatation(const GridParameters& parameters,
 }
 
 std::string locking_note(const GridParameters& parameters, const Compressibility& of_volume) {
-  if (!shape::kind_of(parameters.shape_functions).locks ||
-      of_volume.largest_poisson_ratio < locking_poisson_ratio ||
-      method_of(parameters, of_volume).dilatation != Dilatation::pointwise)
-    return "";
+  const shape::ShapeKind& kind = shape::kind_of(parameters.shape_functions);
+  if (!kind.locks || of_volume.largest_poisson_ratio < locking_poisson_ratio) return "";
+  if (method_of(parameters, of_volume).dilatation != Dilatation::pointwise)
+    return !kind.is_centered
+               ? ""
+               : base::format(
+                     "Dilatation = Element Mean takes a part of their locking from Shape Functions = "
+                     "%s at a Poisson ratio of %.6g: where few elements are across, the body is still "
+                     "too stiff; Linear with Element Mean, or B-splines, cure it",
+                     kind.name, of_volume.largest_poisson_ratio);
   const bool is_projected =
       parameters.deformation_gradient == DeformationGradient::projected_displacement;
   return base::format(

@@ -55,19 +55,29 @@ void check_digits(const std::string& where, const std::string& of_what, double r
       where.c_str(), of_what.c_str(), ratio, largest));
 }
 
-/// Displacements that a condition prescribes at the corners of the body, or the largest of images.
+/// The largest factor of a curve in a run, apart from its sign.
+double largest_factor(const LoadCurve& curve) {
+  double largest = std::abs(curve.at(1.0));
+  for (const double load : curve.loads)
+    if (load <= 1.0) largest = std::max(largest, std::abs(curve.at(load)));
+  return largest;
+}
+
+/// Displacements that a condition prescribes at the corners of the body, or the largest of images;
+/// those of the whole angle where it turns.
 Range displacements(const BoundaryCondition& condition, const grid::Grid& body) {
   const std::array<double, 3> length = body.lengths();
+  const double factor = condition.rotation ? 1.0 : largest_factor(condition.curve);
   Range range;
   if (condition.field) {
-    range.add(condition.field->largest());
+    range.add(factor * condition.field->largest());
     return range;
   }
   for (int corner = 0; corner < 8; ++corner) {
     std::array<double, 3> X = body.origin;
     for (std::size_t d = 0; d < 3; ++d) X[d] += (corner >> d & 1) * length[d];
     for (int c = 0; c < 3; ++c)
-      if (condition.prescribes(c)) range.add(condition.full(c, X, body.origin, length));
+      if (condition.prescribes(c)) range.add(factor * condition.full(c, X, body.origin, length));
   }
   return range;
 }

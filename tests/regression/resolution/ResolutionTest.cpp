@@ -136,6 +136,9 @@ TEST(Locking, IsNotedWhereItIsAskedFor) {
   EXPECT_NE(projected.find("Projected Displacement admits no other"), std::string::npos);
   const std::string cpdi = check("--set 'Grid|Shape Functions=CPDI'");
   EXPECT_NE(cpdi.find("dilatation  Element Mean"), std::string::npos);
+  EXPECT_NE(cpdi.find("takes a part of their locking from Shape Functions = CPDI"),
+            std::string::npos);
+  EXPECT_EQ(check("").find("takes a part of their locking"), std::string::npos);
   const std::string splines = check("--set 'Grid|Shape Functions=Quadratic B-Spline'");
   EXPECT_NE(splines.find("dilatation  Pointwise"), std::string::npos);
   EXPECT_EQ(splines.find("shape functions lock"), std::string::npos);

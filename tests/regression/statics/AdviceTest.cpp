@@ -155,6 +155,38 @@ TEST(Advice, FewElementsAcrossAMaterialAreNoted) {
   }
 }
 
+// Bars whose walls lie on nodes: elements about them are half full, until the bars thin.
+TEST(Advice, ElementsThatBecomeBarelyFilledAreNoted) {
+  const TemporaryFolder folder;
+  folder.write("bars.yaml", R"(Stroma:
+  Image:
+    Phantom:
+      Kind: Shapes
+      Size: [12, 8, 4]
+      Voxel Size [um]: [1, 1, 1]
+      Shapes:
+        gap: {Kind: Box, Label: -1, "Center [um]": [6, 4, 2], "Size [um]": [4, 8, 4]}
+  Materials:
+    gel: {Label: 0, "Shear Modulus [Pa]": 500, Poisson Ratio: 0.3}
+  Grid:
+    Element Size [um]: [2, 2, 2]
+    Shape Functions: GIMP
+    Reset: true
+  Rig: {Kind: Roller Extension, Face: y+, Strain: 0.1}
+  Loading:
+    Steps: 2
+)");
+  const std::string note = "note: from load 0.5 on, 40 elements are filled by less than half";
+  const Outcome pulled = run_stroma(folder.path(), "run bars.yaml -o pulled");
+  EXPECT_EQ(pulled.status, 0) << pulled.standard_error;
+  EXPECT_NE(pulled.standard_output.find(note), std::string::npos) << pulled.standard_output;
+  const Outcome pushed =
+      run_stroma(folder.path(), "run bars.yaml -o pushed --set 'Rig|Strain=-0.1'");
+  EXPECT_EQ(pushed.status, 0) << pushed.standard_error;
+  EXPECT_EQ(pushed.standard_output.find("filled by less than half"), std::string::npos)
+      << pushed.standard_output;
+}
+
 TEST(Advice, LoadsThatAreOftenNotMeantAreNoted) {
   const auto is_noted = [&](const std::string& settings, const std::string& what,
                             const std::string& command = "check ") {
@@ -173,6 +205,24 @@ TEST(Advice, LoadsThatAreOftenNotMeantAreNoted) {
       "Boundary Conditions|top: the opposite face has Strain, too: 0.15 in all";
   EXPECT_TRUE(is_noted(" --set 'Boundary Conditions|bottom|Strain=0.05'", both));
   EXPECT_FALSE(is_noted(" --set 'Boundary Conditions|bottom|Displacement [um]=[0, 1, 0]'", both));
+  const auto moved_by = [&](const std::string& motion, const std::string& what) {
+    const TemporaryFolder folder;
+    std::string text = content_of(clone_folder() / "tests/data/cases/false_convergence/base.yaml");
+    const std::string strained = "      Strain: 0.10\n";
+    text.replace(text.find(strained), strained.size(), "      " + motion + "\n");
+    folder.write("far.yaml", text);
+    const Outcome outcome = run_stroma(folder.path(), "check far.yaml");
+    EXPECT_EQ(outcome.status, 0) << outcome.standard_error;
+    return outcome.standard_output.find("note: Boundary Conditions|top: " + what) !=
+           std::string::npos;
+  };
+  const std::string sheared =
+      "20 in its Displacement Gradient (the Strain of Simple Shear) is 2000 %";
+  EXPECT_TRUE(moved_by("Displacement Gradient: [0, 20, 0, 0, 0, 0, 0, 0, 0]", sheared));
+  EXPECT_FALSE(moved_by("Displacement Gradient: [0, 0.2, 0, 0, 0, 0, 0, 0, 0]", "0.2 in its"));
+  const std::string far = "its displacement, 24 um, is ";
+  EXPECT_TRUE(moved_by("'Displacement [um]': [0, 24, 0]", far));
+  EXPECT_FALSE(moved_by("'Displacement [um]': [0, 2.4, 0]", "its displacement"));
   const auto pulled_along = [&](const std::string& components, const std::string& traction) {
     const TemporaryFolder folder;
     std::string text = content_of(clone_folder() / "tests/data/cases/false_convergence/base.yaml");

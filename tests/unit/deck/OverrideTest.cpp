@@ -55,7 +55,7 @@ TEST(DeckOverride, MistakesSayWhereTheyComeFrom) {
   EXPECT_EQ(one("Grid=true"), "--set, Grid: is a section; name a parameter in it");
   EXPECT_EQ(one("Title|Text=x"), "--set, Title|Text: \"Title\" is a parameter, not a section");
   EXPECT_EQ(one("Grid|Element Size [um]=2"),
-            "--set, Grid|Element Size [um]: \"2\" is not a list; write {a, b}; admissible: 3 "
+            "--set, Grid|Element Size [um]: \"2\" is not a list; write {a, b, c}; admissible: 3 "
             "numbers, each > 0");
   for (const char* wrong : {"=1", "Grid|=1", "|Reset=1", "Grid||Reset=1"}) {
     EXPECT_NE(one(wrong).find("a part of the name is empty"), std::string::npos) << wrong;

@@ -112,9 +112,9 @@ TEST(DeckValue, Arrays) {
   EXPECT_EQ(problem("{1,, 3}", three), "entry 2: \"\" is not a number");
   EXPECT_EQ(problem("{1, 2,}", some), "entry 3: \"\" is not a number");
   EXPECT_EQ(problem("{a, , c}", words), "entry 2: is empty");
-  EXPECT_EQ(problem("1, 2, 3", three), "\"1, 2, 3\" is not a list; write {a, b}");
-  EXPECT_EQ(problem("{1, 2, 3", three), "\"{1, 2, 3\" is not a list; write {a, b}");
-  EXPECT_EQ(problem("2", three), "\"2\" is not a list; write {a, b}");
+  EXPECT_EQ(problem("1, 2, 3", three), "\"1, 2, 3\" is not a list; write {a, b, c}");
+  EXPECT_EQ(problem("{1, 2, 3", three), "\"{1, 2, 3\" is not a list; write {a, b, c}");
+  EXPECT_EQ(problem("2", three), "\"2\" is not a list; write {a, b, c}");
   EXPECT_EQ(problem("{1.5}", {Scalar::integer, true, 0}), "entry 1: \"1.5\" is not an integer");
 }
 

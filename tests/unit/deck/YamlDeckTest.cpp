@@ -18,7 +18,16 @@ TEST(YamlDeck, NotWellFormedNamesTheLine) {
             "line 3: not well-formed YAML: end of sequence flow not found");
   EXPECT_EQ(of("Stroma:\n  Title: x\n Grid: 3\n"),
             "line 3: not well-formed YAML: end of map not found");
-  EXPECT_EQ(of("Stroma:\n\tTitle: x\n"), "line 2: not well-formed YAML: illegal map value");
+  EXPECT_EQ(
+      of("Stroma:\n\tTitle: x\n"),
+      "line 2: not well-formed YAML: illegal map value; line 2 is indented by a tab; YAML takes blanks");
+  EXPECT_EQ(of("Stroma:\n  gel: {Label: 0, Shear Modulus [Pa]: 500}\n"),
+            "line 2: not well-formed YAML: end of map flow not found; within { }, names with [ ] "
+            "stand in quotes");
+  EXPECT_EQ(
+      of("Stroma:\n  Label:0\n  Title: x\n"),
+      "line 3: not well-formed YAML: illegal map value; \"name: value\" has a blank behind its "
+      "colon, here and in the line before");
   EXPECT_EQ(
       of("Stroma:\n  Title: x\n  Grid: [1, 2\n"),
       "line 3: a map inside a list: \"Grid\" can only hold values (or is its bracket not closed?)");
@@ -90,11 +99,12 @@ TEST(YamlDeck, QuotesMakeAString) {
 }
 
 TEST(YamlDeck, ListsAndScalarsAreNotInterchangeable) {
-  EXPECT_EQ(one("[2.1, 2.1, 2]", "2.1"),
-            "line 14, Grid|Element Size [um]: \"2.1\" is not a list; write [a, b]; admissible: 3 "
-            "numbers, each > 0");
+  EXPECT_EQ(
+      one("[2.1, 2.1, 2]", "2.1"),
+      "line 14, Grid|Element Size [um]: \"2.1\" is not a list; write [a, b, c]; admissible: 3 "
+      "numbers, each > 0");
   EXPECT_EQ(one("[2.1, 2.1, 2]", "\"{2.1, 2.1, 2}\""),
-            "line 14, Grid|Element Size [um]: \"{2.1, 2.1, 2}\" is not a list; write [a, b]; "
+            "line 14, Grid|Element Size [um]: \"{2.1, 2.1, 2}\" is not a list; write [a, b, c]; "
             "admissible: 3 numbers, each > 0");
   EXPECT_EQ(one("[2.1, 2.1, 2]", "{2, 1, 3}"),
             "line 14, Grid|Element Size [um]: is a parameter, not a section (in YAML a list is "

@@ -7,6 +7,8 @@
 #include <tiff.h>
 #include <zlib.h>
 
+#include <fstream>
+
 #include "ReadBack.hpp"
 #include "stroma/image/formats/WriteTiff.hpp"
 
@@ -164,6 +166,25 @@ TEST(Formats, BioRadPicWithNotes) {
     EXPECT_EQ(summary.format, "Bio-Rad PIC");
     EXPECT_EQ(summary.voxel_size.um, (std::array<double, 3>{1.05, 1.05, 2.0}));
     EXPECT_EQ(summary.voxel_size.source(), "PIC notes");
+    base::Communicator::world().barrier();
+  }
+}
+
+// A plane too few or too many: what follows is no note, or notes are read as a plane.
+TEST(Formats, BioRadPicWithAnotherCountOfPlanesIsTold) {
+  const std::string path = folder() + "/count.pic";
+  for (const char planes : {2, 3, 4}) {
+    on_root([&] {
+      write_pic(path, {5, 4, 3}, 1, pattern_for({Kind::unsigned_integer, 1}),
+                {"Live recording", "AXIS_4 257 0.000000e+00 2.000000e+00 microns"});
+      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+      file.seekp(4);
+      file.put(planes);
+    });
+    read(path);
+    EXPECT_EQ(summary.notes.size(), planes == 3 ? 0u : 1u) << int{planes};
+    for (const std::string& note : summary.notes)
+      EXPECT_NE(note.find("are no notes of 96 bytes each"), std::string::npos) << note;
     base::Communicator::world().barrier();
   }
 }

@@ -78,7 +78,27 @@ TEST(Supports, PlaneStrainAllowsNoMotionAlongZ) {
   specimen.conditions[0].second.displacement = {{0.0, 0.0, 0.2}};
   const std::string message = refusal(specimen);
   EXPECT_NE(message.find("pull"), std::string::npos) << message;
-  EXPECT_NE(message.find("plane strain"), std::string::npos) << message;
+  EXPECT_NE(message.find("Plane Strain holds z"), std::string::npos) << message;
+  specimen.conditions = {{"held", hold(Face::z_lower, "z")}, specimen.conditions[0]};
+  EXPECT_EQ(refusal(specimen), message);  // the same nodes: not a matter of the two
+}
+
+// What counts is the displacement by the curve, not the full one.
+TEST(Supports, DisplacementsTooFarAreRefused) {
+  const auto moved = [](double displacement, double factor) {
+    Specimen specimen;
+    specimen.conditions = {{"held", hold(Face::y_lower, "xyz")},
+                           {"moved", hold(Face::y_upper, "y")}};
+    specimen.conditions[1].second.displacement = {{0.0, displacement, 0.0}};
+    specimen.conditions[1].second.curve.loads = {0.0, 1.0};
+    specimen.conditions[1].second.curve.values = {0.0, factor};
+    return refusal(specimen);
+  };
+  EXPECT_EQ(moved(1e7, 1e-7), "");
+  const std::string message = moved(1.0, 1e7);
+  EXPECT_NE(message.find("the displacement over the body's longest edge is 1.19e+06"),
+            std::string::npos)
+      << message;
 }
 
 TEST(Supports, AFaceInEmptySpaceIsAnInputError) {

@@ -56,6 +56,12 @@ TEST(CurveNotes, APeakBetweenTwoStepsIsTold) {
             std::string::npos);
 }
 
+// A run begins with a curve's start, which no step needs to end at.
+TEST(CurveNotes, AnInnerPointOfARampIsNoExtreme) {
+  EXPECT_EQ(notes(linear({0.0, 0.37, 1.0}, {0.0, 0.37, 1.0}), in_steps(2, 1.0)), Notes{});
+  EXPECT_EQ(notes(linear({0.0, 0.37, 1.0}, {1.0, 0.63, 0.0}), in_steps(2, 1.0)), Notes{});
+}
+
 TEST(CurveNotes, ACurveThatIsZeroAtAllStepsIsTold) {
   EXPECT_EQ(notes(up_and_down, in_steps(4, 4.0)),
             Notes{"Load Curves|c is 0 at all planned steps, so that it loads nothing: it is 1 at "

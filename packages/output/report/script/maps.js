@@ -19,7 +19,7 @@ class Maps {
     this.maps = maps;
     this.image = image !== null && typeof image === "object" ? image : null;
     this.time = timeUnit(Math.max(...maps.steps.map(({ time }) => time)));
-    this.z = Math.floor(maps.count[2] / 2);
+    this.z = Math.floor((maps.count[2] - 1) / 2);  // as in the pictures
     this.step = maps.steps.length > 0 ? stepToShow(maps.steps, run) : 0;
     this.field = 0;
     this.layer = this.image ? "image" : "materials";

@@ -52,7 +52,7 @@ function overview(history, log) {
     list.push(figureTile(`Mean von Mises, ${name}`, mean, x, pascal, `; anywhere up to ${short(Math.max(...history.column(`${name}.von_mises_max`)))} Pa`));
   }
   list.push(["Steps", String(history.last("step")), load < 1 ? `load ${short(load)} of 1 reached` : data.has_time ? "the end reached" : "full load reached"]);
-  list.push(["Run time", `${short(history.last("wall_seconds"), 3)} s`, log.particles ? log.particles.replace(/,? on /, " particles, on ").replace(/^(\d+) particles/, (_, n) => `${Number(n).toLocaleString("en")} particles`) : null]);
+  list.push(["Time until the last step was solved", `${short(history.last("wall_seconds"), 3)} s`, log.particles ? log.particles.replace(/,? on /, " particles, on ").replace(/^(\d+) particles/, (_, n) => `${Number(n).toLocaleString("en")} particles`) : null]);
   return tiles(list);
 }
 
