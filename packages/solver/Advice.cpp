@@ -69,7 +69,7 @@ std::vector<std::string> advice(const Circumstances& known) {
                   (known.stabilization > 0.0
                        ? format("a larger Grid|Stabilization (now %g)", known.stabilization)
                        : std::string("Grid|Stabilization = 1e-4 keeps their nodes in place")));
-  const bool is_steep = known.contrast >= resolved;
+  const bool is_steep = known.contrast > resolved;
   if (is_steep)
     all.push_back(format("the stiffest material is %.2g times stiffer than the softest, and errors "
                          "of rounding grow with that: ",
@@ -94,7 +94,7 @@ std::vector<std::string> advice(const Circumstances& known) {
                        : std::string("a support against it")));
   if (known.is_single_precision && !is_steep)
     all.push_back(
-        "parts that hang on the rest by an edge or a corner: Solver|Preconditioner = Multigrid, "
+        "slender bodies, and parts that hang on the rest by an edge or a corner: Solver|Preconditioner = Multigrid, "
         "whose tangent is in double precision");
   all.push_back("a smaller load, a smaller Loading|Smallest Step, or a finer grid there");
   return all;

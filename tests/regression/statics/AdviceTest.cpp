@@ -176,7 +176,7 @@ TEST(Advice, ElementsThatBecomeBarelyFilledAreNoted) {
   Loading:
     Steps: 2
 )");
-  const std::string note = "note: from load 0.5 on, 40 elements are filled by less than half";
+  const std::string note = "note: from load 0.5 on, 30 elements are filled by less than half";
   const Outcome pulled = run_stroma(folder.path(), "run bars.yaml -o pulled");
   EXPECT_EQ(pulled.status, 0) << pulled.standard_error;
   EXPECT_NE(pulled.standard_output.find(note), std::string::npos) << pulled.standard_output;

@@ -86,6 +86,28 @@ TEST(Rounding, OfPressuresIsNotTakenForStress) {
         << outcome.standard_error;
 }
 
+// Twin: the load cases of a stiffness are solved to rounding, which the contrast makes as large as
+// what the gel does. What was solved stays.
+TEST(Rounding, AStiffnessThatIsNotSymmetricIsNoResult) {
+  const TemporaryFolder folder;
+  std::string text = content_of(clone_folder() / "tests/data/cases/false_convergence/base.yaml");
+  text.resize(text.find("  Boundary Conditions:"));
+  folder.write("stiffness.yaml", text + "  Rig: {Kind: Stiffness, Boundary: [Mixed]}\n");
+  const auto run = [&](const std::string& modulus) {
+    return run_stroma(folder.path(), "run stiffness.yaml -o of_" + modulus +
+                                         " --set 'Solver|Preconditioner=Direct' --set "
+                                         "'Materials|ball|Shear Modulus [Pa]=" +
+                                         modulus + "'");
+  };
+  EXPECT_EQ(run("5e9").status, 0);
+  const Outcome outcome = run("5e17");
+  EXPECT_EQ(outcome.status, 1) << outcome.standard_error;
+  EXPECT_NE(outcome.standard_error.find("Rig|Boundary = Mixed departs from symmetry by"),
+            std::string::npos)
+      << outcome.standard_error;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "of_5e17" / "stiffness.csv"));
+}
+
 TEST(Rounding, SizesWhoseSquaresOverflowAreRefused) {
   const std::pair<std::string, std::string> settings[] = {
       {"Materials|ball|Shear Modulus [Pa]=1e200", "Materials"},
