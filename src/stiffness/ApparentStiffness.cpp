@@ -63,6 +63,10 @@ void solve_cases(const Deck& deck, mechanics::MomentumBalance& balance, UniformB
     result.cases[static_cast<std::size_t>(unit)] = {linear.total_iterations() - before, residual};
     if (boundary != UniformBoundary::traction) u.update(1.0, fields.displacement(unit), 1.0);
     result.stress.col(unit) = mean_stress(body, fields, u);
+    grid::Vector surface(balance.owned_map());
+    for (int k = 0; k < 6; ++k) surface.update(result.stress(k, unit), fields.traction(k), 1.0);
+    result.largest_residual = std::max(result.largest_residual, residual * load.norm2());
+    result.largest_force = std::max(result.largest_force, surface.norm2());
     result.strain.col(unit) =
         knows_strain ? mean_strain(body, fields, u) : Vector6(Vector6::Unit(unit));
   }

@@ -41,6 +41,10 @@ struct ApparentStiffness {
   Matrix6 stiffness;      ///< the symmetric part of stress strain^-1
   double symmetry_error;  ///< |C - C^T| / |C| before that (Euclidean, of the tensors)
   std::array<SolvedCase, 6> cases;
+  /// The largest residual of a case [pN, Euclidean norm over nodes], and the largest force on the
+  /// surface by the mean stress of one: inclusions of a large contrast may leave of the one more than
+  /// of the other, however small it is against what acts within them.
+  double largest_residual = 0.0, largest_force = 0.0;
 
   std::int64_t iterations() const;  ///< of all cases
 };
