@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [USES package...] [RANKS n...] [THREADED_RANKS n...])
+# stroma_test(NAME LABEL unit|verification|regression SOURCES file... [FILES_APART] [USES package...] [RANKS n...]
+#             [THREADED_RANKS n...])
 #
 # One GoogleTest executable, run once for each number of ranks (default: 1). Its tests find the project's
 # folder, with tests/data in it, and the program by tests/support/Places.hpp.
+# FILES_APART: its files give different things the same short names, so they are not compiled several at a time.
 # Where Trilinos has threads, those tests are run that name THREADED_RANKS: what they test runs kernels. They are run
 # on each of these numbers of ranks, with 2 threads each. The targets unit_tests, verification_tests and regression_tests
 # build all of a kind that is run.
@@ -39,7 +41,7 @@ function(stroma_add_test name label target ranks threads suffix)
 endfunction()
 
 function(stroma_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES;RANKS;THREADED_RANKS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "FILES_APART" "LABEL" "SOURCES;USES;RANKS;THREADED_RANKS;LIBRARIES" ${ARGN})
   if(NOT arg_RANKS)
     set(arg_RANKS 1)
   endif()
@@ -51,6 +53,9 @@ function(stroma_test name)
     target_link_libraries(${target} PRIVATE stroma_${used})
   endforeach()
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(arg_FILES_APART)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  endif()
   if(STROMA_NEEDS_OPENMP AND NOT arg_THREADED_RANKS)
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()

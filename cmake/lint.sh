@@ -4,7 +4,7 @@
 #
 #   cmake/lint.sh text             formatting, spelling, links of the pages, licence lines: seconds
 #   cmake/lint.sh tidy             clang-tidy over the sources of packages/ and src/: minutes, but what has not changed since it
-#                                  passed is not looked at again. Takes build/release, and configures it if it is not
+#                                  passed is not looked at again
 #   cmake/lint.sh tidy-headers     the same over a few sources that include all headers between them
 #   cmake/lint.sh cppcheck         cppcheck over packages/ and src/: half a minute on two cores
 #   cmake/lint.sh                  text, cppcheck and tidy
@@ -45,9 +45,9 @@ text() {
   return $failed
 }
 tidy() { # tidy OPTION...
-  local build=build/release
+  local build=build/lint  # where each file is an object, as clang-tidy wants it
   need "$CLANG_TIDY" "$debian; elsewhere CLANG_TIDY=..."
-  [[ -f $build/compile_commands.json ]] || cmake --preset release -B "$build" -D STROMA_TESTS=ON >/dev/null
+  cmake --preset release -B "$build" -D STROMA_TESTS=ON -D CMAKE_UNITY_BUILD=OFF >/dev/null
   python3 cmake/lint/tidy.py "$build" "$@"
 }
 # Errors, and what is slow or of one compiler only; not style, which clang-tidy sees to. cmake/lint/cppcheck.txt lists what is left

@@ -40,8 +40,7 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t longest_name = 200;  // nobody mistypes a name by that much
-  if (word.size() > longest_name) return "";
+  if (word.size() > 200) return "";  // nobody mistypes a name by that much
   const std::string typed = plain(word);
   std::string best;
   std::size_t best_distance = 0;

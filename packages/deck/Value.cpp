@@ -15,7 +15,7 @@ struct Entry {
   bool is_quoted = false;  ///< by the quotes of YAML: a string, whatever it looks like
 };
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+std::string in_quotes(const std::string& text) { return "\"" + text + "\""; }
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -75,16 +75,16 @@ std::string read_entry(const Entry& entry, Scalar, std::string& value) {
 
 std::string read_entry(const Entry& entry, Scalar, bool& value) {
   const std::string text = trimmed(entry.text);
-  if (entry.is_quoted) return quoted(entry.text) + " is quoted: a string, not true or false";
-  if (text != "true" && text != "false") return quoted(entry.text) + " is not true or false";
+  if (entry.is_quoted) return in_quotes(entry.text) + " is quoted: a string, not true or false";
+  if (text != "true" && text != "false") return in_quotes(entry.text) + " is not true or false";
   value = text == "true";
   return "";
 }
 
 std::string read_entry(const Entry& entry, Scalar scalar, std::int64_t& value) {
   const std::string text = trimmed(entry.text);
-  if (entry.is_quoted) return quoted(entry.text) + " is quoted: a string, not an integer";
-  if (!looks_like_integer(text)) return quoted(entry.text) + " is not an integer";
+  if (entry.is_quoted) return in_quotes(entry.text) + " is quoted: a string, not an integer";
+  if (!looks_like_integer(text)) return in_quotes(entry.text) + " is not an integer";
   const bool fits = convert(text, value);
   const bool is_narrow = scalar == Scalar::integer;
   const auto low = is_narrow ? std::numeric_limits<std::int32_t>::min()
@@ -100,8 +100,8 @@ std::string read_entry(const Entry& entry, Scalar scalar, std::int64_t& value) {
 
 std::string read_entry(const Entry& entry, Scalar, double& value) {
   const std::string text = trimmed(entry.text);
-  if (entry.is_quoted) return quoted(entry.text) + " is quoted: a string, not a number";
-  if (!looks_like_number(text)) return quoted(entry.text) + " is not a number";
+  if (entry.is_quoted) return in_quotes(entry.text) + " is quoted: a string, not a number";
+  if (!looks_like_number(text)) return in_quotes(entry.text) + " is not a number";
   if (!convert(text, value))
     return text + " is too large or too small for a double-precision number";
   return "";
@@ -148,7 +148,8 @@ Interpretation read_array(const std::vector<Entry>& entries, const ValueType& ty
       const bool unwritable =
           content.find_first_of(",{}") != std::string::npos || content != trimmed(content);
       if (content.empty()) problem = "is empty";
-      if (unwritable) problem = quoted(content) + " holds a comma, a brace or a blank at its end";
+      if (unwritable)
+        problem = in_quotes(content) + " holds a comma, a brace or a blank at its end";
     }
     if (!problem.empty()) return {std::nullopt, "entry " + std::to_string(i + 1) + ": " + problem};
     contents.push_back(std::move(content));
@@ -234,12 +235,12 @@ bool may_stand_for(Scalar declared, Scalar wanted) {
 
 std::string type_problem(const tree::Parameter& parameter, const ValueType& wanted) {
   const ValueType* declared = find_type(parameter.type);
-  const std::string said = "type=" + quoted(parameter.type);
+  const std::string said = "type=" + in_quotes(parameter.type);
   if (declared == nullptr)
-    return said + " is no type of a deck; write type=" + quoted(type_name(wanted));
+    return said + " is no type of a deck; write type=" + in_quotes(type_name(wanted));
   if (declared->is_array == wanted.is_array && may_stand_for(declared->scalar, wanted.scalar))
     return "";
-  return said + " is the wrong type; write type=" + quoted(type_name(wanted));
+  return said + " is the wrong type; write type=" + in_quotes(type_name(wanted));
 }
 
 std::vector<Entry> entries_of(const tree::Parameter& parameter) {
@@ -311,7 +312,7 @@ Interpretation interpret(const tree::Parameter& parameter, const ValueType& type
     return read_array(entries, type);
   }
   const std::string entries_meant = type.length == 3 ? "a, b, c" : "a, b";
-  return {std::nullopt, quoted(parameter.text) + " is not a list; write " +
+  return {std::nullopt, in_quotes(parameter.text) + " is not a list; write " +
                             (is_yaml ? "[" + entries_meant + "]" : "{" + entries_meant + "}")};
 }
 
@@ -354,7 +355,7 @@ std::string print(const Value& value) {
     if constexpr (std::is_same_v<Content, bool>) return content ? "true" : "false";
     if constexpr (std::is_same_v<Content, std::int64_t>) return std::to_string(content);
     if constexpr (std::is_same_v<Content, double>) return print(content);
-    if constexpr (std::is_same_v<Content, std::string>) return quoted(content);
+    if constexpr (std::is_same_v<Content, std::string>) return in_quotes(content);
   };
   return std::visit(
       [&one](const auto& content) -> std::string {

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t most_members = 2000, most_rows = 200;
+constexpr std::size_t most_shown = 2000, most_rows = 200;
 
 /// A member that has left a deck and a history.
 json member_of(const std::string& folder, const output::RunFiles& files) {
@@ -55,18 +55,18 @@ json data_of(const output::RunFiles& files) {
       {"folder", std::filesystem::absolute(files.folder()).filename().string()},
       {"made_by", output::program_version()},
       {"log", base::file_content(files.log())},
-      {"study", output::table_excerpt(table, most_members, false)},
-      {"convergence", output::table_excerpt(base::file_content(files.file("convergence.csv")),
-                                            most_members, false)},
+      {"study", output::table_excerpt(table, most_shown, false)},
+      {"convergence",
+       output::table_excerpt(base::file_content(files.file("convergence.csv")), most_shown, false)},
       {"bands",
        output::table_excerpt(base::file_content(files.file("bands.csv")), most_rows, true)},
       {"correlations", output::table_excerpt(base::file_content(files.file("correlations.csv")),
-                                             most_members, false)},
+                                             most_shown, false)},
       {"members", json::array()}};
   std::istringstream rows(table);
   std::string row;
   std::getline(rows, row);
-  while (std::getline(rows, row) && data["members"].size() < most_members) {
+  while (std::getline(rows, row) && data["members"].size() < most_shown) {
     const output::RunFiles member(files.file(first_field(row)));
     if (std::filesystem::is_regular_file(member.deck()) &&
         std::filesystem::is_regular_file(member.history()))

@@ -144,13 +144,9 @@ inline std::int32_t crossing_bars(const grid::Index3& voxel) {
   return along_y || along_x ? 1 : 0;
 }
 
-/// A condition on a face that holds components, or moves them by a displacement [um].
-inline mechanics::BoundaryCondition hold(mechanics::Face face, const std::string& components) {
-  mechanics::BoundaryCondition condition;
-  condition.face = face;
-  condition.components = components;
-  return condition;
-}
+using mechanics::hold;
+
+/// A condition on a face that moves components by a strain.
 inline mechanics::BoundaryCondition stretch(mechanics::Face face, const std::string& components,
                                             double strain) {
   mechanics::BoundaryCondition condition = hold(face, components);

@@ -69,7 +69,7 @@ class HeaderedSource : public ImageSource {
   StoredValues stored_;
 };
 
-std::string first_bytes(const std::string& path) {
+std::string header_text(const std::string& path) {
   return first_unpacked_bytes(path, longest_header, Packing::none);
 }
 
@@ -77,12 +77,12 @@ std::string first_bytes(const std::string& path) {
 
 std::unique_ptr<ImageSource> open_metaimage(const ImageRequest& request) {
   return std::make_unique<HeaderedSource>(
-      request, metaimage_header(request.path, first_bytes(request.path)));
+      request, metaimage_header(request.path, header_text(request.path)));
 }
 
 std::unique_ptr<ImageSource> open_nrrd(const ImageRequest& request) {
   return std::make_unique<HeaderedSource>(request,
-                                          nrrd_header(request.path, first_bytes(request.path)));
+                                          nrrd_header(request.path, header_text(request.path)));
 }
 
 std::unique_ptr<ImageSource> open_nifti(const ImageRequest& request) {

@@ -18,7 +18,7 @@
 namespace stroma::image {
 namespace {
 
-const char* const format = "NRRD";
+const char* const format_name = "NRRD";
 
 using Kind = ValueType::Kind;
 
@@ -108,7 +108,7 @@ HeaderFields read_fields(const std::string& path, const std::string& head, std::
       {"oldmin", "old min"},          {"oldmax", "old max"},     {"blocksize", "block size"},
       {"axismins", "axis mins"},      {"axismaxs", "axis maxs"}, {"centerings", "centers"},
       {"sampleunits", "sample units"}};
-  HeaderFields fields(path, format);
+  HeaderFields fields(path, format_name);
   std::string line;
   next_line(head, at, line);
   const std::string magic = trimmed(line);
@@ -363,7 +363,7 @@ void take_spacing(VolumeHeader& header, const HeaderFields& fields,
 VolumeHeader nrrd_header(const std::string& path, const std::string& head) {
   VolumeHeader header;
   header.path = path;
-  header.format = format;
+  header.format = format_name;
   std::size_t at = 0;
   const HeaderFields fields = read_fields(path, head, at, header.notes);
   header.type = value_type(fields);

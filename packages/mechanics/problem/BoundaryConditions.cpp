@@ -21,6 +21,13 @@ std::string name_of(Face face) {
   return {"xyz"[axis_of(face)], is_upper(face) ? '+' : '-'};
 }
 
+BoundaryCondition hold(Face face, const std::string& components) {
+  BoundaryCondition condition;
+  condition.face = face;
+  condition.components = components;
+  return condition;
+}
+
 namespace {
 
 using Vector = std::array<double, 3>;

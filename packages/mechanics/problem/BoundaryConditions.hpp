@@ -145,6 +145,9 @@ struct BoundaryCondition {
                             const std::array<double, 3>& length) const;
 };
 
+/// Components ("xyz" or fewer) of a face that are held at zero.
+BoundaryCondition hold(Face face, const std::string& components);
+
 using NamedConditions = std::vector<std::pair<std::string, BoundaryCondition>>;
 
 /// A condition at a point of the undeformed body [um].

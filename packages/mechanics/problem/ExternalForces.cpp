@@ -15,7 +15,7 @@ std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, cons
     transfer::VolumeForce one{{0.0, 0.0, 0.0}, force.acceleration.has_value(), -1, 0.0, 0.0};
     double scale = 1.0;
     if (force.acceleration) scale = 1e-6;  // kg/m^3 um^3 m/s^2 = 1e-18 N = 1e-6 pN
-    if (force.traction) {
+    if (force.traction && *force.face != Face::all) {
       const int axis = axis_of(*force.face);
       const auto d = static_cast<std::size_t>(axis);
       one.axis = axis;

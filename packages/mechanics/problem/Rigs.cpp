@@ -8,18 +8,9 @@
 namespace stroma::mechanics {
 namespace {
 
-constexpr const char* axis_names = "xyz";
-
 Face opposite(Face face) { return face_of(axis_of(face), !is_upper(face)); }
 
-std::string along(int axis) { return std::string(1, axis_names[axis]); }
-
-BoundaryCondition hold(Face face, const std::string& components) {
-  BoundaryCondition condition;
-  condition.face = face;
-  condition.components = components;
-  return condition;
-}
+std::string along(int axis) { return std::string(1, "xyz"[axis]); }
 
 /// A face that is moved along its outward normal, by a strain or a displacement.
 BoundaryCondition pull(Face face, const std::string& components, std::optional<double> strain,

@@ -8,26 +8,17 @@
 namespace stroma::mechanics {
 namespace {
 
-constexpr const char* axis_names = "xyz";
-
-BoundaryCondition hold(Face face, const std::string& components) {
-  BoundaryCondition condition;
-  condition.face = face;
-  condition.components = components;
-  return condition;
-}
-
 /// The same components on both faces across an axis.
 void hold_across(NamedConditions& conditions, int axis, const std::string& components) {
   for (const bool upper : {false, true})
-    conditions.emplace_back(std::string(1, axis_names[axis]) + (upper ? "+" : "-"),
+    conditions.emplace_back(std::string(1, "xyz"[axis]) + (upper ? "+" : "-"),
                             hold(static_cast<Face>(2 * axis + (upper ? 1 : 0)), components));
 }
 
 LoadCases mixed_normal() {
   LoadCases cases{{}, {0, 1, 2}};
   for (int axis = 0; axis < 3; ++axis)
-    hold_across(cases.conditions, axis, std::string(1, axis_names[axis]));
+    hold_across(cases.conditions, axis, std::string(1, "xyz"[axis]));
   return cases;
 }
 
@@ -36,11 +27,11 @@ LoadCases mixed_shear(int unit) {
   const int k = 3 - i - j;
   LoadCases cases{{}, {unit}};
   for (const int across : {i, j}) {
-    std::string tangential = axis_names;
+    std::string tangential = "xyz";
     tangential.erase(static_cast<std::size_t>(across), 1);
     hold_across(cases.conditions, across, tangential);
   }
-  hold_across(cases.conditions, k, {axis_names[k]});
+  hold_across(cases.conditions, k, {"xyz"[k]});
   return cases;
 }
 
@@ -69,7 +60,7 @@ std::array<int, 2> axes_of_unit(int unit) {
 
 std::string name_of_unit(int unit) {
   const auto [i, j] = axes_of_unit(unit);
-  return {axis_names[i], axis_names[j]};
+  return {"xyz"[i], "xyz"[j]};
 }
 
 std::vector<LoadCases> load_cases(UniformBoundary boundary) {

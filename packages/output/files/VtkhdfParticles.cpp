@@ -41,11 +41,10 @@ struct Fixed {
 
 const std::vector<Fixed>& fixed_columns() {
   using Set = ParticleSet;
-  using Number = VtkhdfColumn::Number;
   static const std::vector<Fixed> all{
-      {{"id", "-", 1, Number::integer},
+      {{"id", "-", 1, VtkhdfColumn::Number::integer},
        [](const Set& set, std::int64_t p) { return static_cast<double>(set.id[p] + 1); }},
-      {{"material", "-", 1, Number::byte},
+      {{"material", "-", 1, VtkhdfColumn::Number::byte},
        [](const Set& set, std::int64_t p) { return set.material[p] + 1.0; }},
       {{"radius", "um"}, [](const Set& set, std::int64_t p) { return radius_of(set.volume[p]); }},
       {{"volume", "um^3"}, [](const Set& set, std::int64_t p) { return set.volume[p]; }}};

@@ -109,9 +109,9 @@ CurveStyles listed(const std::vector<CurveName>& curves, bool is_one_thing) {
     styles.title.push_back("title " + gnuplot_quoted(curves[c].name));
   }
   styles.width = std::max(narrowest, static_cast<int>(longest * letter + sample + 100));
-  const std::size_t columns = std::max<std::size_t>(
+  const std::size_t across = std::max<std::size_t>(
       1, static_cast<std::size_t>(styles.width - 100) / (longest * letter + sample));
-  const std::size_t rows = std::max<std::size_t>(1, (curves.size() + columns - 1) / columns);
+  const std::size_t rows = std::max<std::size_t>(1, (curves.size() + across - 1) / across);
   styles.key = key_of(rows, longest);
   styles.key_lines = static_cast<int>(rows);
   return styles;

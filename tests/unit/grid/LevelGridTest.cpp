@@ -7,11 +7,10 @@
 
 #include "stroma/grid/BoxExchange.hpp"
 #include "stroma/grid/LevelGrid.hpp"
+#include "support/World.hpp"
 
 namespace stroma::grid {
 namespace {
-
-base::Communicator world() { return base::Communicator::world(); }
 
 Partition partition(const Index3& elements, bool flat) {
   Grid grid;

@@ -15,14 +15,13 @@
 #include "stroma/base/Error.hpp"
 #include "stroma/image/stacks/StackWriter.hpp"
 #include "stroma/image/stacks/TiffDescriptions.hpp"
+#include "support/World.hpp"
 
 namespace stroma::test {
 namespace {
 
 using image::Compression;
 using image::StackFormat;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// A number that tells its voxel and channel; a few voxels are empty.
 float value_at(std::int64_t x, std::int64_t y, std::int64_t z, std::size_t channel) {

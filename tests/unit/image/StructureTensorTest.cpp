@@ -12,6 +12,7 @@
 
 #include "stroma/image/StructureTensor.hpp"
 #include "support/FiberPhantom.hpp"
+#include "support/World.hpp"
 
 namespace stroma::test {
 namespace {
@@ -21,8 +22,6 @@ using image::SymmetricTensor;
 using voxels::IntensityVolume;
 using Vector = std::array<double, 3>;
 using Size = std::array<std::int64_t, 3>;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// Of each of this rank's voxels.
 std::vector<Orientation> orientations(const IntensityVolume& image,

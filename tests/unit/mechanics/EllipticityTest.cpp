@@ -11,11 +11,10 @@
 #include <cmath>
 
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
-
-base::Communicator world() { return base::Communicator::world(); }
 
 constexpr double mu = 100.0, lambda = 1500.0;  // [Pa]
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 using material::VolumetricEnergy;
 using shape::ShapeFunctions;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 struct Case {
   ShapeFunctions shape_functions;

@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -30,8 +31,6 @@ tensor::Tensor3 gradient() {
     for (int j = 0; j < 3; ++j) H(i, j) = G[static_cast<std::size_t>(3 * i + j)];
   return H;
 }
-
-base::Communicator world() { return base::Communicator::world(); }
 
 grid::Vector homogeneous(const MomentumBalance& balance) {
   grid::Vector u(balance.owned_map());

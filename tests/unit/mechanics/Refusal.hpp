@@ -9,10 +9,9 @@
 
 #include "stroma/base/Error.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::mechanics {
-
-inline base::Communicator world() { return base::Communicator::world(); }
 
 /// Empty for a body that is taken.
 inline std::string refusal(const test::Specimen& specimen) {

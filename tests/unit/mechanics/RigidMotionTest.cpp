@@ -10,6 +10,7 @@
 
 #include "stroma/mechanics/conditions/RigidMotion.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::mechanics {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 using test::hold;
 using test::Specimen;
 using test::stretch;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 std::vector<NodeComponent> holds(const NamedConditions& conditions, bool plane_strain = false,
                                  const grid::Index3& elements = {4, 4, 4}) {

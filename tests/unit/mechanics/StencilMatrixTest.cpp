@@ -7,13 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::mechanics {
 namespace {
 
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// Two materials, empty space in a corner, and faces that hold some components only; as a block, or
 /// as a slice in plane strain.

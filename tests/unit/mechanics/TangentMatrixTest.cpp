@@ -9,13 +9,12 @@
 #include <cmath>
 
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::mechanics {
 namespace {
 
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// Two materials, empty space in a corner, and faces that hold some components only, one of them by
 /// springs; as a block, or as a slice in plane strain, whose upper and lower nodes are one.

@@ -14,14 +14,13 @@
 
 #include "TemporaryFolder.hpp"
 #include "stroma/output/tables/Distributions.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
 
 using output::Distribution;
 using output::Groups;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 struct Portion {
   double value, volume;

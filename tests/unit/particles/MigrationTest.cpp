@@ -14,11 +14,10 @@
 #include "stroma/particles/Fields.hpp"
 #include "stroma/particles/Migration.hpp"
 #include "stroma/particles/Seeding.hpp"
+#include "support/World.hpp"
 
 namespace stroma::particles {
 namespace {
-
-base::Communicator all_ranks() { return base::Communicator::world(); }
 
 grid::Grid body() {
   grid::Grid grid;
@@ -30,11 +29,11 @@ grid::Grid body() {
 
 Particles<grid::Device> seeded() {
   const grid::Grid grid = body();
-  voxels::LabelVolume labels(all_ranks(), {10, 8, 12}, {1.0, 0.75, 0.5});
+  voxels::LabelVolume labels(world(), {10, 8, 12}, {1.0, 0.75, 0.5});
   const auto partition =
-      grid::Partition::balanced(grid, all_ranks().size(), layer_weights(all_ranks(), grid, labels));
-  auto particles = seed(all_ranks(), {Layout::per_element, 1, 2}, partition, labels, {{0, 0}});
-  make_movable(all_ranks(), particles);
+      grid::Partition::balanced(grid, world().size(), layer_weights(world(), grid, labels));
+  auto particles = seed(world(), {Layout::per_element, 1, 2}, partition, labels, {{0, 0}});
+  make_movable(world(), particles);
   return particles;
 }
 
@@ -61,7 +60,7 @@ Particles<grid::Device> scattered() {
 }
 
 grid::Partition partition_for(const Particles<grid::Device>& particles) {
-  return balanced_partition(all_ranks(), covering_grid(extent_of(all_ranks(), particles), body()),
+  return balanced_partition(world(), covering_grid(extent_of(world(), particles), body()),
                             particles);
 }
 
@@ -71,9 +70,9 @@ TEST(Migration, EveryParticleArrivesWholeAtTheOwnerOfItsElement) {
   const auto before = scattered();
   const auto partition = partition_for(before);
   const grid::Grid& grid = partition.grid();
-  const grid::Box box = partition.elements(all_ranks().rank());
-  const auto after = migrate(all_ranks(), partition, before);
-  EXPECT_EQ(all_ranks().sum(after.count()), all_ranks().sum(before.count()));
+  const grid::Box box = partition.elements(world().rank());
+  const auto after = migrate(world(), partition, before);
+  EXPECT_EQ(world().sum(after.count()), world().sum(before.count()));
   ASSERT_EQ(after.element_begin.extent(0), static_cast<std::size_t>(box.count() + 1));
 
   const auto original = seeded();  // the same on every run: tells volume, home and place by id
@@ -104,9 +103,9 @@ TEST(Migration, EveryParticleArrivesWholeAtTheOwnerOfItsElement) {
     }
   }
   EXPECT_EQ(after.element_begin(box.count()), after.count());
-  const std::int64_t n = all_ranks().sum(static_cast<std::int64_t>(before.count()));
-  EXPECT_EQ(all_ranks().sum(ids), n * (n - 1) / 2);
-  EXPECT_EQ(all_ranks().sum(squares), (n - 1) * n * (2 * n - 1) / 6);
+  const std::int64_t n = world().sum(static_cast<std::int64_t>(before.count()));
+  EXPECT_EQ(world().sum(ids), n * (n - 1) / 2);
+  EXPECT_EQ(world().sum(squares), (n - 1) * n * (2 * n - 1) / 6);
 }
 
 // A rank without particles cannot see which fields the others' have, and receives all of them.
@@ -118,15 +117,15 @@ TEST(Migration, ARankWithoutParticlesReceivesEveryField) {
   there.position = decltype(there.position)("position", all.position.extent(0));
   for (int p = 0; p < all.count(); ++p)
     for (int d = 0; d < 3; ++d) there.position(p, d) = partition.grid().origin[d];
-  const auto gathered = migrate(all_ranks(), partition, there);
-  EXPECT_EQ(gathered.count() > 0, partition.elements(all_ranks().rank()).contains({0, 0, 0}));
+  const auto gathered = migrate(world(), partition, there);
+  EXPECT_EQ(gathered.count() > 0, partition.elements(world().rank()).contains({0, 0, 0}));
   auto back = gathered;
   for (int p = 0; p < back.count(); ++p)
     for (int d = 0; d < 3; ++d)
       back.position(p, d) += 0.9 * partition.grid().length(d) *
                              std::abs(std::sin(static_cast<double>(back.id(p)) + d));
-  const auto after = migrate(all_ranks(), partition, back);
-  EXPECT_EQ(all_ranks().sum(after.count()), all_ranks().sum(all.count()));
+  const auto after = migrate(world(), partition, back);
+  EXPECT_EQ(world().sum(after.count()), world().sum(all.count()));
   for (int p = 0; p < after.count(); ++p) {
     EXPECT_EQ(after.own_numbers(p, 1), 0.5 * static_cast<double>(after.id(p)));
     EXPECT_EQ(after.history(p, 1), -static_cast<double>(after.id(p)));
@@ -138,18 +137,18 @@ TEST(Migration, ARankWithoutParticlesReceivesEveryField) {
 TEST(Migration, HomesAreKept) {
   const auto original = seeded();
   auto moved = scattered();
-  moved = migrate(all_ranks(), partition_for(moved), moved);
+  moved = migrate(world(), partition_for(moved), moved);
   for (int p = 0; p < moved.count(); ++p) moved.position(p, 2) -= way(moved.id(p), 0);
-  moved = migrate(all_ranks(), partition_for(moved), moved);
+  moved = migrate(world(), partition_for(moved), moved);
   struct Letter {
     std::int64_t home, id;
   };
-  std::vector<std::vector<Letter>> letters(static_cast<std::size_t>(all_ranks().size()));
+  std::vector<std::vector<Letter>> letters(static_cast<std::size_t>(world().size()));
   for (int p = 0; p < moved.count(); ++p)
     letters[static_cast<std::size_t>(home_rank(moved.home(p)))].push_back(
         {moved.home(p), moved.id(p)});
   std::set<int> numbers;
-  for (const Letter& letter : particles::exchange(all_ranks(), letters)) {
+  for (const Letter& letter : particles::exchange(world(), letters)) {
     EXPECT_EQ(letter.id, original.id(home_number(letter.home)));
     EXPECT_TRUE(numbers.insert(home_number(letter.home)).second);
   }
@@ -159,7 +158,7 @@ TEST(Migration, HomesAreKept) {
 // The grid covers the body and nothing else, on the nodes of the body's lattice.
 TEST(Migration, TheGridFollowsTheBody) {
   const auto at_rest = seeded();
-  grid::Grid grid = covering_grid(extent_of(all_ranks(), at_rest), body());
+  grid::Grid grid = covering_grid(extent_of(world(), at_rest), body());
   EXPECT_EQ(grid.elements, body().elements);
   EXPECT_EQ(grid.origin, body().origin);
 
@@ -167,7 +166,7 @@ TEST(Migration, TheGridFollowsTheBody) {
                                        0.5 - 2e-13};  // 3.5, -1 and, but for rounding, 0.5
   for (int p = 0; p < at_rest.count(); ++p)
     for (int d = 0; d < 3; ++d) at_rest.position(p, d) += distance[static_cast<std::size_t>(d)];
-  grid = covering_grid(extent_of(all_ranks(), at_rest), body());
+  grid = covering_grid(extent_of(world(), at_rest), body());
   EXPECT_EQ(grid.elements, (grid::Index3{6, 4, 7}));
   EXPECT_NEAR(grid.origin[0], -3.0 + 3 * 2.0, 1e-14);
   EXPECT_NEAR(grid.origin[1], 7.0 - 1.5, 1e-14);
@@ -185,8 +184,8 @@ TEST(Migration, FacesBelongToTheUpperElement) {
     }
     const auto partition = partition_for(particles);
     EXPECT_EQ(partition.grid().elements, (grid::Index3{6, 5, 7}));
-    const auto after = migrate(all_ranks(), partition, particles);
-    const grid::Box box = partition.elements(all_ranks().rank());
+    const auto after = migrate(world(), partition, particles);
+    const grid::Box box = partition.elements(world().rank());
     for (std::int64_t e = 0; e < box.count(); ++e) {
       int expected = 1;  // along each axis: a half, and the lower face; not both at the ends
       for (int d = 0; d < 3; ++d) {
@@ -202,8 +201,8 @@ TEST(Migration, FacesBelongToTheUpperElement) {
 // A lattice under a body that has flown apart would fill the memory.
 TEST(Migration, LostParticlesAreRefusedOnAllRanks) {
   auto particles = seeded();
-  if (particles.count() > 0 && all_ranks().is_root()) particles.position(0, 1) = 1e9;
-  EXPECT_THROW(covering_grid(extent_of(all_ranks(), particles), body()), base::RunError);
+  if (particles.count() > 0 && world().is_root()) particles.position(0, 1) = 1e9;
+  EXPECT_THROW(covering_grid(extent_of(world(), particles), body()), base::RunError);
 }
 
 }  // namespace

@@ -10,11 +10,10 @@
 
 #include "stroma/base/Error.hpp"
 #include "stroma/particles/Seeding.hpp"
+#include "support/World.hpp"
 
 namespace stroma::particles {
 namespace {
-
-base::Communicator all_ranks() { return base::Communicator::world(); }
 
 grid::Grid grid_of(const grid::Index3& elements, const std::array<double, 3>& spacing) {
   grid::Grid grid;
@@ -105,7 +104,7 @@ TEST(Seeding, ParticlesDoNotDependOnTheRanks) {
          {ParticleParameters{Layout::gauss, 1, 2}, ParticleParameters{Layout::voxel_centers, 1, 2},
           ParticleParameters{Layout::voxel_centers, 2, 2},
           ParticleParameters{Layout::per_element, 1, 3}}) {
-      const Sums together = sums_of(all_ranks(), layout, grid, voxels);
+      const Sums together = sums_of(world(), layout, grid, voxels);
       const Sums alone = sums_of(base::Communicator::self(), layout, grid, voxels);
       EXPECT_GT(alone.count, 0);
       EXPECT_EQ(together.count, alone.count);
@@ -125,7 +124,7 @@ TEST(Seeding, VolumeIsThatOfTheVoxelsThatAreNotEmpty) {
       for (std::int64_t i = 0; i < 9; ++i) filled += stripes(i, j, k) >= 0 ? 1 : 0;
   const double voxel = grid.length(0) * grid.length(1) * grid.length(2) / (9 * 11 * 7);
   for (const int per_voxel : {1, 2}) {
-    const Sums sums = sums_of(all_ranks(), {Layout::voxel_centers, per_voxel, 2}, grid, voxels);
+    const Sums sums = sums_of(world(), {Layout::voxel_centers, per_voxel, 2}, grid, voxels);
     EXPECT_GE(sums.count, filled * per_voxel * per_voxel * per_voxel);
     EXPECT_NEAR(sums.volume, static_cast<double>(filled) * voxel, 1e-12 * sums.volume);
   }
@@ -135,12 +134,12 @@ TEST(Seeding, VolumeIsThatOfTheVoxelsThatAreNotEmpty) {
 // all of them must refuse.
 TEST(Seeding, ALabelWithoutMaterialIsAnInputErrorOnAllRanks) {
   const grid::Grid grid = grid_of({4, 4, 4}, {1.0, 1.0, 1.0});
-  voxels::LabelVolume labels(all_ranks(), {4, 4, 4}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume labels(world(), {4, 4, 4}, {1.0, 1.0, 1.0});
   if (labels.planes > 0 && labels.first_plane + labels.planes == 4) labels.values.back() = 7;
   const auto partition =
-      grid::Partition::balanced(grid, all_ranks().size(), layer_weights(all_ranks(), grid, labels));
+      grid::Partition::balanced(grid, world().size(), layer_weights(world(), grid, labels));
   try {
-    seed(all_ranks(), {Layout::voxel_centers, 1, 2}, partition, labels, {{0, 0}, {1, 1}});
+    seed(world(), {Layout::voxel_centers, 1, 2}, partition, labels, {{0, 0}, {1, 1}});
     FAIL() << "label 7 has no material";
   } catch (const base::InputError& error) {
     const std::string message = error.what();
@@ -151,23 +150,23 @@ TEST(Seeding, ALabelWithoutMaterialIsAnInputErrorOnAllRanks) {
 
 TEST(Seeding, AnEmptyImageHasNoParticles) {
   const grid::Grid grid = grid_of({4, 4, 4}, {1.0, 1.0, 1.0});
-  voxels::LabelVolume labels(all_ranks(), {4, 4, 4}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume labels(world(), {4, 4, 4}, {1.0, 1.0, 1.0});
   for (auto& label : labels.values) label = -1;
   std::array<std::vector<double>, 3> even;
   for (auto& weights : even) weights.assign(4, 1.0);
-  const auto partition = grid::Partition::balanced(grid, all_ranks().size(), even);
-  EXPECT_EQ(seed(all_ranks(), {Layout::gauss, 1, 2}, partition, labels, {{0, 0}}).count(), 0);
+  const auto partition = grid::Partition::balanced(grid, world().size(), even);
+  EXPECT_EQ(seed(world(), {Layout::gauss, 1, 2}, partition, labels, {{0, 0}}).count(), 0);
 }
 
 TEST(Seeding, LayerWeightsCountTheVoxelsOfEachLayer) {
   const grid::Grid grid = grid_of({2, 3, 4}, {2.0, 2.0, 2.0});
-  voxels::LabelVolume labels(all_ranks(), {4, 6, 8}, {1.0, 1.0, 1.0});
+  voxels::LabelVolume labels(world(), {4, 6, 8}, {1.0, 1.0, 1.0});
   std::size_t n = 0;
   for (std::int64_t k = 0; k < labels.planes; ++k)
     for (std::int64_t j = 0; j < 6; ++j)
       for (std::int64_t i = 0; i < 4; ++i)
         labels.values[n++] = labels.first_plane + k < 2 && i < 2 ? -1 : 0;
-  const auto weights = layer_weights(all_ranks(), grid, labels);
+  const auto weights = layer_weights(world(), grid, labels);
   EXPECT_EQ(weights[0], (std::vector<double>{2 * 6 * 6, 2 * 6 * 8}));
   EXPECT_EQ(weights[1], (std::vector<double>{56, 56, 56}));
   EXPECT_EQ(weights[2], (std::vector<double>{24, 48, 48, 48}));
@@ -175,8 +174,8 @@ TEST(Seeding, LayerWeightsCountTheVoxelsOfEachLayer) {
 
 TEST(Seeding, LayerWeightsShareTheVoxelsThatLayersCut) {
   const grid::Grid grid = grid_of({2, 8, 1}, {1.5, 0.25, 1.0});
-  const voxels::LabelVolume labels(all_ranks(), {3, 2, 1}, {1.0, 1.0, 1.0});
-  const auto weights = layer_weights(all_ranks(), grid, labels);
+  const voxels::LabelVolume labels(world(), {3, 2, 1}, {1.0, 1.0, 1.0});
+  const auto weights = layer_weights(world(), grid, labels);
   EXPECT_EQ(weights[0], (std::vector<double>{3, 3}));
   EXPECT_EQ(weights[1], std::vector<double>(8, 0.75));
   EXPECT_EQ(weights[2], (std::vector<double>{6}));

@@ -14,6 +14,7 @@
 #include "stroma/multigrid/GeometricMultigrid.hpp"
 #include "stroma/solver/LinearSolver.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::solver {
 namespace {
@@ -23,8 +24,6 @@ using multigrid::ElementPatches;
 using multigrid::GeometricMultigrid;
 using multigrid::MultigridSettings;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// Bars of label 1 through the whole body, one in four along each direction.
 std::int32_t lattice(const grid::Index3& voxel) {

@@ -14,14 +14,13 @@
 #include "stroma/solver/NewtonSolver.hpp"
 #include "support/CountingTerm.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::solver {
 namespace {
 
 using mechanics::Face;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 SolverParameters direct() {
   SolverParameters parameters;

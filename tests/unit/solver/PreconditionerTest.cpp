@@ -9,13 +9,12 @@
 #include "stroma/solver/NewtonSolver.hpp"
 #include "stroma/solver/Preconditioner.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma::solver {
 namespace {
 
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 struct Outcome {
   grid::Vector u;

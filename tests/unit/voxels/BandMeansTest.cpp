@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "stroma/voxels/BandMeans.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -18,8 +19,6 @@ namespace {
 using voxels::BandMeans;
 using voxels::FilledBox;
 using voxels::Rule;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 constexpr std::array<std::int64_t, 3> size{7, 5, 6};
 

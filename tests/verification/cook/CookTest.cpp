@@ -10,6 +10,7 @@
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -18,8 +19,6 @@ using mechanics::Dilatation;
 using mechanics::Face;
 using shape::ShapeFunctions;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 struct Panel {
   double poisson_ratio = 0.3;

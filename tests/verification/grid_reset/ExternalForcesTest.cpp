@@ -10,6 +10,7 @@
 
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -18,8 +19,6 @@ using mechanics::ExternalForce;
 using mechanics::Face;
 using test::Specimen;
 using Vector3 = std::array<double, 3>;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 ExternalForce body_force(const Vector3& per_volume) {
   ExternalForce force;

@@ -14,6 +14,7 @@
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -21,8 +22,6 @@ namespace {
 using mechanics::Face;
 using test::ShapeChoice;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 Specimen with_bars() {
   Specimen specimen;

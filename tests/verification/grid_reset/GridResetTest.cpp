@@ -11,6 +11,7 @@
 
 #include "support/LoadSteps.hpp"
 #include "support/ShiftedBody.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -18,8 +19,6 @@ namespace {
 using mechanics::Face;
 using mechanics::ImposedBy;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 mechanics::BoundaryCondition moved(Face face, const std::array<double, 3>& displacement) {
   mechanics::BoundaryCondition condition = test::hold(face, "xyz");

@@ -10,14 +10,13 @@
 
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
 
 using mechanics::Face;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 Specimen stretched(double strain, particles::Layout layout) {
   Specimen specimen;

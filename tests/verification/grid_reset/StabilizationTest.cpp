@@ -9,14 +9,13 @@
 #include "stroma/base/Error.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShiftedBody.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
 
 using mechanics::Face;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// A block whose outermost particles have just crossed into another layer of elements, by a share
 /// of an element along x, y and z: its corner nodes feel one particle, by the cube of that share.

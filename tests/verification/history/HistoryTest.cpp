@@ -18,14 +18,13 @@
 #include "stroma/shape/Linear.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
 
 using example::DamagedLaw;
 using mechanics::Face;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 const DamagedLaw law{{520.8, 2430.4}, 0.6, 30.0};
 

@@ -11,14 +11,13 @@
 
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
 
 using mechanics::Face;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// Mean strain in the ball by that far away.
 struct Ratios {

@@ -10,6 +10,7 @@
 #include "stroma/material/Material.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -18,8 +19,6 @@ using mechanics::Dilatation;
 using mechanics::Face;
 using shape::ShapeFunctions;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// A square of 8 x 8 um.
 Specimen block(ShapeFunctions shape_functions, Dilatation dilatation, int elements) {

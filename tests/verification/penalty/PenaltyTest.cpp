@@ -11,6 +11,7 @@
 #include "stroma/base/Error.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -19,8 +20,6 @@ using mechanics::Face;
 using mechanics::ImposedBy;
 using test::ShapeChoice;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 void impose_by_penalty(Specimen& specimen) {
   for (auto& named : specimen.conditions) named.second.imposed_by = ImposedBy::penalty;

@@ -12,6 +12,7 @@
 
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -19,8 +20,6 @@ namespace {
 using mechanics::Face;
 using mechanics::ImposedBy;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 const material::NeoHookean law{1000.0, 2166.6666666666665};  // nu = 0.3
 constexpr double stretch = 1.1;

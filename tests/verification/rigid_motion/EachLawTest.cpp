@@ -13,6 +13,7 @@
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/Turn.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -23,8 +24,6 @@ using tensor::Tensor3;
 using test::fibers_of;
 using test::material_of;
 using test::Specimen;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 struct NamedLaw {
   std::string name;

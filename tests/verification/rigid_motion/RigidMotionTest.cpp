@@ -13,6 +13,7 @@
 #include "support/ShapeChoices.hpp"
 #include "support/ShiftedBody.hpp"
 #include "support/Turn.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -22,8 +23,6 @@ using tensor::Tensor3;
 using test::Specimen;
 using test::turn;
 using Vector3 = std::array<double, 3>;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 /// Where a body of particles starts, against its lattice.
 struct Start {

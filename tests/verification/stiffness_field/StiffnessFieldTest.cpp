@@ -13,14 +13,13 @@
 #include "support/LoadSteps.hpp"
 #include "support/ShapeChoices.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
 
 using mechanics::LawList;
 using particles::Particles;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 constexpr double soft = 520.8, stiff = 1041.6;
 

@@ -15,6 +15,7 @@
 #include "support/LawList.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -23,8 +24,6 @@ using Number = std::complex<double>;
 using Gradient = std::array<std::array<Number, 3>, 3>;
 using Entries = std::vector<std::array<std::size_t, 2>>;  // of F
 using mechanics::Face;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 constexpr double matrix_mu = 5.0;  // [Pa], of a matrix without lateral contraction
 constexpr int steps = 20;

@@ -10,6 +10,7 @@
 #include "stroma/base/Error.hpp"
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 using mechanics::Face;
 using mechanics::ImposedBy;
 using Vector3 = std::array<double, 3>;
-
-base::Communicator world() { return base::Communicator::world(); }
 
 mechanics::BoundaryCondition turn(Face face, double degrees, const Vector3& axis,
                                   const Vector3& center) {

@@ -9,6 +9,7 @@
 
 #include "support/LoadSteps.hpp"
 #include "support/Specimen.hpp"
+#include "support/World.hpp"
 
 namespace stroma {
 namespace {
@@ -20,8 +21,6 @@ constexpr double duration = 3.0;  // [s]
 // H after 1 s, held from then on: simple shear, and a bar that is pulled, whose sides are held.
 const Tensor3 shear{{{0, 0.6, 0}, {}, {}}}, extension{{{}, {0, 0.6, 0}, {}}};
 const material::NeoHookean gel{520.8, 2430.4};
-
-base::Communicator world() { return base::Communicator::world(); }
 
 material::Viscosity two_terms(bool is_deviatoric) {
   material::Viscosity viscosity;
