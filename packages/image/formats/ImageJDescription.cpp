@@ -104,9 +104,9 @@ void read_lengths(const Settings& settings, ImageJDescription& read) {
   if (spacing == nullptr) return;
   const std::optional<double> number = to_real(trimmed(*spacing));
   read.spacing = number.value_or(0.0);  // 0: none, and that is told
-  if (!number)
-    read.notes.push_back("ImageJ's spacing, \"" + printable(*spacing) +
-                         "\", is no number; not used");
+  if (*read.spacing == 0.0)
+    read.notes.push_back("ImageJ's spacing, \"" + printable(*spacing) + "\", is no " +
+                         (number ? "length above 0" : "number") + "; not used");
 }
 
 }  // namespace

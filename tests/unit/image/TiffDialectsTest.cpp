@@ -286,6 +286,11 @@ TEST(TiffDialects, LengthsThatAreNoNumbersAreNotUsed) {
   EXPECT_FALSE(summary.voxel_size.known(2));
   EXPECT_TRUE(has_note(summary, "ImageJ's spacing, \"1,5\", is no number; not used"));
   EXPECT_TRUE(has_note(summary, "says nothing; not used"));
+  options.description = "ImageJ=1.53t\nimages=3\nslices=3\nunit=um\nspacing=0\n";
+  on_root([&] { write_tiff_file(folder() + "/flat.tif", options, pattern_for(u8)); });
+  read_back(file("flat.tif"), summary);
+  EXPECT_FALSE(summary.voxel_size.known(2));
+  EXPECT_TRUE(has_note(summary, "ImageJ's spacing, \"0\", is no length above 0; not used"));
   options.description = "ImageJ=1.53t\nimages=3\nslices=3\nunit=um\nyunit=furlong\n";
   on_root([&] { write_tiff_file(folder() + "/furlong.tif", options, pattern_for(u8)); });
   read_back(file("furlong.tif"), summary);
