@@ -4,4 +4,4 @@
 mpirun=(mpirun --oversubscribe --bind-to none)
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
 # As cmake/StromaTest.cmake says.
-export OMPI_MCA_btl=^tcp,ofi
+export OMPI_MCA_btl=^tcp,ofi LD_BIND_NOW=1

@@ -63,7 +63,7 @@ def run(stroma, folder, ranks):
     if ranks > 1:
         words = ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", str(ranks)] + words
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                       OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl="^tcp,ofi", TMPDIR=str(folder))
+                       OMPI_MCA_mpi_yield_when_idle="1", OMPI_MCA_btl="^tcp,ofi", LD_BIND_NOW="1", TMPDIR=str(folder))
     process = subprocess.Popen(words, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                stderr=subprocess.PIPE, text=True, errors="replace", preexec_fn=limits, start_new_session=True)
     try:  # four ranks may share a processor with others
