@@ -83,6 +83,8 @@ def main():
                 if status["old"] or status["new"]:
                     verdict = f"exit {status['old']} and {status['new']}"
                     differing += 1  # what does not run is not compared
+                elif not os.path.exists(os.path.join(here, "old", "history.csv")):
+                    verdict = "writes no history"
                 else:
                     found = difference(history(os.path.join(here, "old")), history(os.path.join(here, "new")))
                     verdict = found or "same bits"
