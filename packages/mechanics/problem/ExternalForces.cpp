@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 namespace stroma::mechanics {
 
@@ -15,8 +16,9 @@ std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, cons
     transfer::VolumeForce one{{0.0, 0.0, 0.0}, force.acceleration.has_value(), -1, 0.0, 0.0};
     double scale = 1.0;
     if (force.acceleration) scale = 1e-6;  // kg/m^3 um^3 m/s^2 = 1e-18 N = 1e-6 pN
-    if (force.traction && *force.face != Face::all) {
+    if (force.traction) {
       const int axis = axis_of(*force.face);
+      if (axis < 0) throw std::logic_error("a traction acts on a single face");
       const auto d = static_cast<std::size_t>(axis);
       one.axis = axis;
       one.face = body.origin[d] + (is_upper(*force.face) ? body.length(axis) : 0.0);

@@ -40,6 +40,7 @@ struct ExternalForcesParameters {
 /// \param forces           the deck's, by name
 /// \param body             the grid at load 0, which fills the body's box
 /// \param outer_thickness  of the layers of particles next to the faces across each axis [um]
+/// \throws std::logic_error  a traction on Face::all
 std::vector<transfer::VolumeForce> volume_forces(const NamedForces& forces, const grid::Grid& body,
                                                  const std::array<double, 3>& outer_thickness);
 

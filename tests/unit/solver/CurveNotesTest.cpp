@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "AtTimes.hpp"
 #include "stroma/solver/CurveNotes.hpp"
 
 namespace stroma::solver {
@@ -19,12 +20,6 @@ LoadingParameters in_steps(int steps, std::optional<double> duration) {
   LoadingParameters loading;
   loading.steps = steps;
   loading.duration = duration;
-  return loading;
-}
-
-LoadingParameters in_steps_to(const std::vector<double>& times) {
-  LoadingParameters loading;
-  loading.times = times;
   return loading;
 }
 
@@ -47,7 +42,7 @@ TEST(CurveNotes, APeakBetweenTwoStepsIsTold) {
             Notes{"Load Curves|c is 1 at 1.5 s, its largest value in the run, but no step is "
                   "planned to end there: about it steps have 0.666667 at 1 s and 0 at 2 s; "
                   "Loading|Times [s] with that time in them, or more Steps, would meet it"});
-  EXPECT_EQ(notes(peak, in_steps_to({1.0, 4.0})),
+  EXPECT_EQ(notes(peak, at_times({1.0, 4.0})),
             Notes{"Load Curves|c is 1 at 1.5 s, its largest value in the run, but no step is "
                   "planned to end there: about it steps have 0.666667 at 1 s and 0 at 4 s; "
                   "Loading|Times [s] with that time in them would meet it"});
@@ -80,7 +75,7 @@ TEST(CurveNotes, ACurveThatGoesOnAfterTheRunIsTold) {
   EXPECT_EQ(notes(linear({0.0, 100.0}, {0.0, 1.0}), in_steps(4, {})),
             Notes{"Load Curves|c goes on until 100 s, to 1, but the run ends at 1 s, where it is "
                   "0.01; without Loading|Duration [s] time is the load factor, which is 1 there"});
-  EXPECT_EQ(notes(linear({0.0, 100.0}, {0.0, 1.0}), in_steps_to({1.0, 50.0})),
+  EXPECT_EQ(notes(linear({0.0, 100.0}, {0.0, 1.0}), at_times({1.0, 50.0})),
             Notes{"Load Curves|c goes on until 100 s, to 1, but the run ends at 50 s, where it is "
                   "0.5; the last of Loading|Times [s] sets its end"});
 }
@@ -96,7 +91,7 @@ TEST(CurveNotes, ASawtoothsJumpIsTold) {
 
 TEST(CurveNotes, WhatStepsMeetIsNotTold) {
   EXPECT_EQ(notes(peak, in_steps(8, 4.0)), Notes{});
-  EXPECT_EQ(notes(peak, in_steps_to({0.7, 1.5, 4.0})), Notes{});
+  EXPECT_EQ(notes(peak, at_times({0.7, 1.5, 4.0})), Notes{});
   EXPECT_EQ(notes(up_and_down, in_steps(8, 4.0)), Notes{});
   EXPECT_EQ(notes(linear({0.0, 0.1, 4.0}, {0.0, 1.0, 1.0}), in_steps(4, 4.0)), Notes{});
   EXPECT_EQ(notes(linear({0.0, 2.0, 9.0}, {0.0, 1.0, 1.0}), in_steps(4, 4.0)), Notes{});

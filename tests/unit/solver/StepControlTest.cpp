@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "AtTimes.hpp"
 #include "stroma/solver/StepControl.hpp"
 
 namespace stroma::solver {
@@ -83,12 +84,6 @@ TEST(StepControl, GivesUpBelowTheSmallestStep) {
   EXPECT_DOUBLE_EQ(control.next(), 0.125);
   EXPECT_EQ(control.load(), 0.0);
   EXPECT_FALSE(control.finished());
-}
-
-LoadingParameters at_times(std::vector<double> times) {
-  LoadingParameters parameters;
-  parameters.times = std::move(times);
-  return parameters;
 }
 
 TEST(StepControl, TimesAreTheEndsOfTheSteps) {
